@@ -37,8 +37,8 @@ def pixel_grid_um(
 ) -> tuple[NDArray[np.float64], NDArray[np.float64]]:
     """Coordinates x (W,) and y (H,) in um of pixel centres, origin in the middle of the image, y up."""
     height, width = shape
-    x_um = (np.arange(width) - (width - 1) / 2) * pixel_um
-    y_um = ((height - 1) / 2 - np.arange(height)) * pixel_um
+    x_um = (np.arange(width, dtype=np.float64) - (width - 1) / 2) * pixel_um
+    y_um = ((height - 1) / 2 - np.arange(height, dtype=np.float64)) * pixel_um
     return x_um, y_um
 
 

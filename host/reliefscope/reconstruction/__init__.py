@@ -1,0 +1,1 @@
+"""From frames to a surface: pure functions over arrays and one thin pipeline over runs."""
