@@ -1,7 +1,7 @@
-"""Photometric stereo: Lambert's law by least squares, with the quality score of the paper (eq. 4-10).
+"""Photometric stereo: Lambert's law by least squares with the paper's quality score (eq. 4-10).
 
-The intensities are linear, full scale 1, and belong to one virtual view, so that a pixel is the same point
-of the sample under every light.
+The intensities are linear, full scale 1, and belong to one virtual view, so that a pixel is the
+same point of the sample under every light.
 """
 
 from __future__ import annotations
@@ -23,11 +23,12 @@ SLANT_SCALE_RAD = math.radians(80.0)
 CHANGE_SCALE = 0.1
 """Change of the normal per pixel that halves the quality, eq. 10."""
 MAXIMUM_CONDITION = 20.0
-"""Ratio of the largest to the smallest singular value of the light matrix above which lights are refused.
+"""Ratio of the largest to the smallest singular value of the light matrix above which lights are
+refused.
 
-It bounds by how much a relative error of the intensities can grow in the normals; 16 lights in two rings of
-22.5 and 45 degrees elevation have 1.0, twelve lights within 25 degrees of the axis about 5, lights in one
-row or column tens to thousands.
+It bounds by how much a relative error of the intensities can grow in the normals; 16 lights in two
+rings of 22.5 and 45 degrees elevation have 1.0, twelve lights within 25 degrees of the axis about
+5, lights in one row or column tens to thousands.
 """
 _MINIMUM_SPREAD = 1e-4
 """Determinant of the normal matrix of the kept lights, over the cube of their number (1/27 at best)."""
@@ -40,7 +41,8 @@ class PsResult:
     Attributes
     ----------
     normals:
-        Unit normals, x right, y up, z toward the objective; NaN where no light came or a frame is missing.
+        Unit normals, x right, y up, z toward the objective; NaN where no light came or a frame is
+        missing.
     albedo:
         Length of the least-squares vector (eq. 5), in units of intensity.
     residual:
@@ -69,8 +71,8 @@ def check_directions(
     Raises
     ------
     InvalidInputError
-        Fewer than three lights, a direction that is zero, not finite or below the sample, or a light
-        matrix whose condition number exceeds ``maximum_condition``.
+        Fewer than three lights, a direction that is zero, not finite or below the sample, or a
+        light matrix whose condition number exceeds ``maximum_condition``.
     """
     lights = np.asarray(directions, dtype=np.float64)
     if lights.ndim != 2 or lights.shape[1] != 3:
@@ -90,19 +92,19 @@ def check_directions(
             f"Light directions {bad} are zero or not finite.",
             hint="Correct `direction` of these lights in the profile or the import file.",
         )
-    unit = lights / lengths[:, None]
+    unit: NDArray[np.float64] = lights / lengths[:, None]
     if np.any(unit[:, 2] <= 0.0):
         bad = [int(i) for i in np.flatnonzero(unit[:, 2] <= 0.0)]
         raise InvalidInputError(
             f"Light directions {bad} point below the sample plane (z is not positive).",
-            hint="Directions lead from the sample to the light, z toward the objective; check the axes.",
+            hint="Directions lead from sample to light, z toward the objective; check the axes.",
         )
     condition = float(np.linalg.cond(unit))
     if condition > maximum_condition:
         raise InvalidInputError(
             f"The lights are badly spread: condition number {condition:.3g}, "
             f"at most {maximum_condition:g} is accepted.",
-            hint="Lights in one row or in one spot cannot tell slopes apart; use lights all around the sample.",
+            hint="Lights in one row or one spot cannot tell slopes apart; spread them all around.",
         )
     return unit
 
@@ -123,18 +125,18 @@ def solve_lambert(
     directions:
         (L, 3) vectors from the sample to the lights; only their directions count.
     trim:
-        None: least squares over all lights, as the paper does.  (low, high): least squares over the lights
-        whose intensity at the pixel ranks between these fractions, which leaves shadows (low) and
-        highlights (high) out; eq. 7 then counts the kept lights only.  (0.2, 0.9) is a good choice from
-        eight lights on.
+        None: least squares over all lights, as the paper does.  (low, high): least squares over the
+        lights whose intensity at the pixel ranks between these fractions, which leaves shadows
+        (low) and highlights (high) out; eq. 7 then counts the kept lights only.  (0.2, 0.9) is a
+        good choice from eight lights on.
     maximum_condition:
         See :data:`MAXIMUM_CONDITION`.
 
     Raises
     ------
     InvalidInputError
-        Too few or badly spread lights, shapes that do not belong together, a trimming that leaves fewer
-        than three lights.
+        Too few or badly spread lights, shapes that do not belong together, a trimming that leaves
+        fewer than three lights.
     """
     unit = check_directions(directions, maximum_condition)
     if images.ndim != 3 or len(images) != len(unit):

@@ -1,8 +1,9 @@
 """Compiled kernels of photometric stereo: one pass over the intensities, one over the normals.
 
-Plain least squares needs the intensities twice (solution, then residual).  Both passes run over blocks of a
-row that stay in the first-level cache, so the stack is read from memory once.  Threads share rows, and every
-pixel is computed by one thread in a fixed order: the result does not depend on the number of threads.
+Plain least squares needs the intensities twice (solution, then residual).  Both passes run over
+blocks of a row that stay in the first-level cache, so the stack is read from memory once.  Threads
+share rows, and every pixel is computed by one thread in a fixed order: the result does not depend
+on the number of threads.
 """
 
 from __future__ import annotations
@@ -30,8 +31,9 @@ def solve_least_squares(
 ) -> None:
     """Eq. 6 and 7 for every pixel.
 
-    ``images`` (L, H, W), ``pseudo_inverse`` (3, L), ``directions`` (L, 3); outputs ``normals`` (H, W, 3),
-    ``albedo`` (H, W), ``residual`` (H, W).  A pixel without light or with a NaN gets NaN in all of them.
+    ``images`` (L, H, W), ``pseudo_inverse`` (3, L), ``directions`` (L, 3); outputs ``normals`` (H,
+    W, 3), ``albedo`` (H, W), ``residual`` (H, W).  A pixel without light or with a NaN gets NaN in
+    all of them.
     """
     lights, height, width = images.shape
     for row in prange(height):
@@ -93,9 +95,9 @@ def solve_trimmed(
 ) -> None:
     """Eq. 6 and 7 from the lights of ranks ``first`` to ``last`` - 1 (darkest = 0) of each pixel.
 
-    A pixel whose kept lights are badly spread (determinant of their normal matrix, over the cube of their
-    number, below ``minimum_determinant``) is solved from all lights instead.  Shapes and the treatment of
-    missing pixels as in :func:`solve_least_squares`.
+    A pixel whose kept lights are badly spread (determinant of their normal matrix, over the cube of
+    their number, below ``minimum_determinant``) is solved from all lights instead.  Shapes and the
+    treatment of missing pixels as in :func:`solve_least_squares`.
     """
     lights, height, width = images.shape
     kept = last - first
@@ -186,9 +188,10 @@ def score_quality(
 ) -> None:
     """Slant, eq. 8 with the Sobel operators of eq. 9, and eq. 10 for every pixel.
 
-    ``normals`` (H, W, 3), everything else (H, W).  The kernels are applied as written (correlation) per
-    pixel; beyond the border the nearest pixel is repeated.  The second kernel is d/dy with y up: the row
-    above (smaller index) counts positive.  Where a neighbour is missing the quality is 0.
+    ``normals`` (H, W, 3), everything else (H, W).  The kernels are applied as written (correlation)
+    per pixel; beyond the border the nearest pixel is repeated.  The second kernel is d/dy with y
+    up: the row above (smaller index) counts positive.  Where a neighbour is missing the quality is
+    0.
     """
     height, width = residual.shape
     for row in prange(height):
