@@ -1,0 +1,48 @@
+# Each target is one command; each makes or reuses .venv by itself (see tools/bootstrap).
+VENV ?= .venv
+BIN := $(VENV)/bin
+export VENV
+
+.PHONY: help demo test lint format generate bench soak clean
+
+help:  ## show this list
+	@grep -hE '^[a-z]+:.*##' $(MAKEFILE_LIST) | sed -E 's/:.*## /\t/' | expand -t 12
+
+demo:  ## measure the fiducial on the simulated instrument, full size
+	@tools/bootstrap
+	$(BIN)/reliefscope demo $(DEMO_OPTIONS)
+
+test:  ## the fast tests
+	@tools/bootstrap test lint
+	$(BIN)/python -m pytest -n 2 $(PYTEST_OPTIONS)
+
+lint:  ## formatters, linters, strict types, generated files up to date
+	@tools/bootstrap test lint
+	$(BIN)/ruff check .
+	$(BIN)/ruff format --check .
+	$(BIN)/mypy
+	$(BIN)/python -m protocol.generator --check
+	git ls-files 'firmware/*.cpp' 'firmware/*.hpp' 'firmware/*.h' 'tests/firmware/*.cpp' 'tests/firmware/*.hpp' \
+	  | grep -v /generated/ | xargs $(BIN)/clang-format --dry-run --Werror
+
+format:  ## rewrite the sources in the house style
+	@tools/bootstrap test lint
+	$(BIN)/ruff check --fix-only .
+	$(BIN)/ruff format .
+	git ls-files 'firmware/*.cpp' 'firmware/*.hpp' 'firmware/*.h' 'tests/firmware/*.cpp' 'tests/firmware/*.hpp' \
+	  | grep -v /generated/ | xargs $(BIN)/clang-format -i
+
+generate:  ## write the files made from protocol/protocol.yml
+	@tools/bootstrap test lint
+	$(BIN)/python -m protocol.generator
+
+bench:  ## benchmarks beside their peers, in one run
+	@tools/bootstrap test lint
+	$(BIN)/python -m bench
+
+soak:  ## the long tests
+	@tools/bootstrap test lint
+	$(BIN)/python -m pytest -m soak $(PYTEST_OPTIONS)
+
+clean:  ## remove the environment and everything built; runs are kept
+	rm -rf $(VENV) build .mypy_cache .ruff_cache .pytest_cache
