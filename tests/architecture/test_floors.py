@@ -6,10 +6,7 @@ import sys
 from pathlib import Path
 
 import pytest
-
 from tests.support import REPOSITORY
-
-LINTER = Path(sys.executable).with_name("lint-imports")
 
 
 def run_linter(folder: Path) -> subprocess.CompletedProcess[str]:
