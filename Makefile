@@ -3,7 +3,7 @@ VENV ?= .venv
 BIN := $(VENV)/bin
 export VENV
 
-.PHONY: help demo test lint format generate bench soak clean
+.PHONY: help demo test lint format generate bench soak docs clean
 
 help:  ## show this list
 	@grep -hE '^[a-z]+:.*##' $(MAKEFILE_LIST) | sed -E 's/:.*## /\t/' | expand -t 12
@@ -43,6 +43,11 @@ bench:  ## benchmarks beside their peers, in one run
 soak:  ## the long tests
 	@tools/bootstrap test lint
 	$(BIN)/python -m pytest -m soak $(PYTEST_OPTIONS)
+
+docs:  ## the manual as web pages, in build/docs
+	@tools/bootstrap docs test lint
+	$(BIN)/sphinx-build -q -W -b html docs build/docs
+	@echo "open build/docs/index.html"
 
 clean:  ## remove the environment and everything built; runs are kept
 	rm -rf $(VENV) build .mypy_cache .ruff_cache .pytest_cache
