@@ -15,7 +15,9 @@ ROOT = Path(__file__).parents[2]
 def main(arguments: list[str] | None = None, *, root: Path = ROOT) -> int:
     """Run; returns 0 if all is well, 1 if a file differs under ``--check``, 2 if protocol.yml is wrong."""
     parser = argparse.ArgumentParser(prog="python -m protocol.generator", description=__doc__)
-    parser.add_argument("--check", action="store_true", help="compare with what is there; write nothing")
+    parser.add_argument(
+        "--check", action="store_true", help="compare with what is there; write nothing"
+    )
     check = parser.parse_args(arguments).check
     try:
         files = generate(load(ROOT / "protocol" / "protocol.yml"))
@@ -25,7 +27,9 @@ def main(arguments: list[str] | None = None, *, root: Path = ROOT) -> int:
     changed = [path for path, text in files.items() if _read(root / path) != text]
     for path in changed:
         if check:
-            sys.stderr.write(f"{path} differs from protocol.yml; run: python -m protocol.generator\n")
+            sys.stderr.write(
+                f"{path} differs from protocol.yml; run: python -m protocol.generator\n"
+            )
         else:
             (root / path).parent.mkdir(parents=True, exist_ok=True)
             (root / path).write_text(files[path], encoding="utf-8", newline="\n")

@@ -7,12 +7,14 @@ import re
 from pathlib import Path
 
 from jinja2 import Environment, FileSystemLoader, StrictUndefined
-
 from protocol.generator.schema import INTEGER_BYTES, Layout, Schema
 from protocol.generator.vectors import cobs_vectors, frame_vectors
 
 _TEMPLATES = Path(__file__).parent / "templates"
-_CPP_INTEGERS = {name: f"{'uint' if name[0] == 'u' else 'int'}{8 * size}_t" for name, size in INTEGER_BYTES.items()}
+_CPP_INTEGERS = {
+    name: f"{'uint' if name[0] == 'u' else 'int'}{8 * size}_t"
+    for name, size in INTEGER_BYTES.items()
+}
 
 
 def generate(schema: Schema) -> dict[str, str]:
@@ -21,7 +23,9 @@ def generate(schema: Schema) -> dict[str, str]:
     environment = _environment()
 
     def render(template: str) -> str:
-        text = environment.get_template(template).render(schema=schema, frames=frames, stuffing=stuffing)
+        text = environment.get_template(template).render(
+            schema=schema, frames=frames, stuffing=stuffing
+        )
         return re.sub(r"[ \t]+\n", "\n", text).rstrip("\n") + "\n"
 
     origin = "Generated from protocol/protocol.yml by protocol/generator; do not edit."
@@ -30,7 +34,9 @@ def generate(schema: Schema) -> dict[str, str]:
         "host/reliefscope/protocol/messages.py": render("messages.py.j2"),
         "docs/reference/protocol.md": re.sub(r"\n{3,}", "\n\n", render("protocol.md.j2")),
         "tests/firmware/generated/vectors.hpp": render("vectors.hpp.j2"),
-        "protocol/vectors/frames.json": _json({"origin": origin, "schema_hash": schema.hash.hex(), "vectors": frames}),
+        "protocol/vectors/frames.json": _json(
+            {"origin": origin, "schema_hash": schema.hash.hex(), "vectors": frames}
+        ),
         "protocol/vectors/cobs.json": _json({"origin": origin, "vectors": stuffing}),
     }
 
@@ -41,7 +47,10 @@ def _json(content: object) -> str:
 
 def _environment() -> Environment:
     environment = Environment(
-        loader=FileSystemLoader(_TEMPLATES), undefined=StrictUndefined, keep_trailing_newline=True, autoescape=False
+        loader=FileSystemLoader(_TEMPLATES),
+        undefined=StrictUndefined,
+        keep_trailing_newline=True,
+        autoescape=False,
     )
     environment.filters.update(
         class_name=lambda name: "".join(part.capitalize() for part in name.split("_")),

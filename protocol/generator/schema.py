@@ -22,7 +22,9 @@ INTEGER_BYTES = {"u8": 1, "u16": 2, "u32": 4, "u64": 8, "i8": 1, "i16": 2, "i32"
 HASH_BYTES = 16
 REPLY_BIT = 0x80
 
-_TYPE = re.compile(r"^(?P<base>[A-Za-z][A-Za-z0-9]*)(?:\[(?P<bounded><=)?(?P<count>[A-Z0-9_]+)\])?$")
+_TYPE = re.compile(
+    r"^(?P<base>[A-Za-z][A-Za-z0-9]*)(?:\[(?P<bounded><=)?(?P<count>[A-Z0-9_]+)\])?$"
+)
 _TERM = re.compile(r"^(?P<name>[A-Z][A-Z0-9_]*)(?P<less>-1)?$")
 
 
@@ -159,8 +161,9 @@ class WireField:
         """The allowed values for the documentation."""
         if self.minimum is None and self.maximum is None:
             return ""
-        low = "" if self.minimum is None else str(self.minimum)
-        high = "" if self.maximum is None else str(self.maximum)
+        least, most = integer_range(self.base)
+        low = least if self.minimum is None else self.minimum
+        high = most if self.maximum is None else self.maximum
         return " or ".join([f"{low}..{high}", *map(str, self.also)])
 
 
@@ -182,7 +185,11 @@ class Layout:
     @property
     def class_name(self) -> str:
         """``load_light_request`` to ``LoadLightRequest``."""
-        return "".join(part.capitalize() for part in self.name.split("_")) if self.id >= 0 else self.name
+        return (
+            "".join(part.capitalize() for part in self.name.split("_"))
+            if self.id >= 0
+            else self.name
+        )
 
 
 @dataclass(frozen=True)
@@ -255,7 +262,13 @@ class _Resolver:
         file = self.file
         digest = hashlib.sha256(_on_the_wire(file, self.structs, messages).encode()).digest()
         return Schema(
-            file.protocol, file.constants, file.enums, self.structs, file.exchanges, messages, digest[:HASH_BYTES]
+            file.protocol,
+            file.constants,
+            file.enums,
+            self.structs,
+            file.exchanges,
+            messages,
+            digest[:HASH_BYTES],
         )
 
     def _messages(self) -> Iterator[Layout]:
@@ -267,9 +280,13 @@ class _Resolver:
             yield self._layout(reply, text, e.reply, id=e.id | REPLY_BIT, kind="reply", **extra)
         refusals = self.file.refusals
         for name, refusal in (("rejected", refusals.rejected), ("failed", refusals.failed)):
-            yield self._layout(name, refusal.description, refusals.fields, id=refusal.id, kind="refusal")
+            yield self._layout(
+                name, refusal.description, refusals.fields, id=refusal.id, kind="refusal"
+            )
         for event in self.file.events:
-            yield self._layout(f"{event.name}_event", event.description, event.fields, id=event.id, kind="event")
+            yield self._layout(
+                f"{event.name}_event", event.description, event.fields, id=event.id, kind="event"
+            )
 
     def _check_enum(self, name: str, enum: EnumDef) -> None:
         _unique(f"value of {name}", [(v.value, key) for key, v in enum.values.items()])
@@ -291,7 +308,11 @@ class _Resolver:
         return Layout(name, description, wire, least, most, **extra)
 
     def _sizes(self, field: WireField) -> tuple[int, int]:
-        one = self.structs[field.base].max_size if field.kind == "struct" else INTEGER_BYTES[field.base]
+        one = (
+            self.structs[field.base].max_size
+            if field.kind == "struct"
+            else INTEGER_BYTES[field.base]
+        )
         if field.bounded:
             return 1, 1 + one * (field.count or 0)
         return (one * (field.count or 1),) * 2
@@ -299,7 +320,9 @@ class _Resolver:
     def _field(self, where: str, field: FieldDef) -> WireField:
         match = _TYPE.match(field.type)
         if not match:
-            raise SchemaError(f"{where}: cannot read type {field.type!r}; examples: u16, u8[4], Step[<=16]")
+            raise SchemaError(
+                f"{where}: cannot read type {field.type!r}; examples: u16, u8[4], Step[<=16]"
+            )
         count = self._number(where, match["count"]) if match["count"] else None
         if count is not None and not 1 <= count <= (255 if match["bounded"] else 65535):
             raise SchemaError(f"{where}: {count} elements are not possible")
@@ -316,7 +339,17 @@ class _Resolver:
             least, most = integer_range(base)
             low, high = None if low == least else low, None if high == most else high
         return WireField(
-            field.name, field.description, field.unit, kind, base, enum, count, bool(match["bounded"]), low, high, field.also
+            field.name,
+            field.description,
+            field.unit,
+            kind,
+            base,
+            enum,
+            count,
+            bool(match["bounded"]),
+            low,
+            high,
+            field.also,
         )
 
     def _base(self, where: str, name: str) -> tuple[str, str, str]:
@@ -340,10 +373,14 @@ class _Resolver:
             return int(text)
         match = _TERM.match(text)
         if not match or match["name"] not in self.file.constants:
-            raise SchemaError(f"{where}: {text!r} is neither a number nor a constant (or a constant and -1)")
+            raise SchemaError(
+                f"{where}: {text!r} is neither a number nor a constant (or a constant and -1)"
+            )
         return self.file.constants[match["name"]].value - (1 if match["less"] else 0)
 
-    def _check_bounds(self, where: str, kind: str, base: str, low: int | None, high: int | None) -> None:
+    def _check_bounds(
+        self, where: str, kind: str, base: str, low: int | None, high: int | None
+    ) -> None:
         if low is None and high is None:
             return
         if kind != "int":
@@ -378,7 +415,8 @@ def _on_the_wire(file: _File, structs: dict[str, Layout], messages: tuple[Layout
             "version": file.protocol.version,
             "constants": {name: c.value for name, c in file.constants.items()},
             "enums": {
-                name: [e.type, e.flags, {key: v.value for key, v in e.values.items()}] for name, e in file.enums.items()
+                name: [e.type, e.flags, {key: v.value for key, v in e.values.items()}]
+                for name, e in file.enums.items()
             },
             "structs": {name: fields(s) for name, s in structs.items()},
             "messages": {m.name: [m.id, m.ring, fields(m)] for m in messages},

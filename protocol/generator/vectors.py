@@ -7,14 +7,13 @@ implementations, so an error would have to be made twice in two ways to stay hid
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterator
+from collections.abc import Iterator
 from typing import Any
 
 from protocol.generator.schema import INTEGER_BYTES, Layout, Schema, WireField, integer_range
 
 Vector = dict[str, Any]
 NONCE = 0x1BADB002
-_Pick = Callable[[WireField, int], Any]
 
 
 def crc32(data: bytes) -> int:
@@ -58,15 +57,20 @@ def frame_vectors(schema: Schema) -> list[Vector]:
     return [*_good(schema), *_runs(schema), *_bad_payloads(schema), *_bad_frames(schema)]
 
 
-def _frame(schema: Schema, message: int, request_id: int, payload: bytes, *, length: int | None = None) -> bytes:
+def _frame(
+    schema: Schema, message: int, request_id: int, payload: bytes, *, length: int | None = None
+) -> bytes:
     values = [message, request_id, NONCE, len(payload) if length is None else length]
     head = b"".join(
-        v.to_bytes(INTEGER_BYTES[f.base], "little") for v, f in zip(values, schema.header.fields, strict=True)
+        v.to_bytes(INTEGER_BYTES[f.base], "little")
+        for v, f in zip(values, schema.header.fields, strict=True)
     )
     return head + payload + crc32(head + payload).to_bytes(4, "little")
 
 
-def _vector(schema: Schema, name: str, layout: Layout, payload: bytes, verdict: str = "ok", **more: Any) -> Vector:
+def _vector(
+    schema: Schema, name: str, layout: Layout, payload: bytes, verdict: str = "ok", **more: Any
+) -> Vector:
     request_id = 0x01020304 + layout.id
     return {
         "name": name,
@@ -82,13 +86,13 @@ def _vector(schema: Schema, name: str, layout: Layout, payload: bytes, verdict: 
 
 
 def _good(schema: Schema) -> Iterator[Vector]:
-    styles: list[tuple[str, _Pick]] = [("typical", _typical), ("least", _least), ("greatest", _greatest)]
     for layout in schema.messages:
-        for style, pick in styles if layout.fields else styles[:1]:
-            pick = _within(schema, pick)
-            values = _values(schema, layout, pick)
+        for style in ("typical", "least", "greatest") if layout.fields else ("typical",):
+            values = _values(schema, layout, style)
             payload = _pack(schema, layout, values)
-            yield _vector(schema, f"{layout.name}_{style}", layout, payload, fields=_as_json(values))
+            yield _vector(
+                schema, f"{layout.name}_{style}", layout, payload, fields=_as_json(values)
+            )
 
 
 def _runs(schema: Schema) -> Iterator[Vector]:
@@ -104,7 +108,7 @@ def _runs(schema: Schema) -> Iterator[Vector]:
 
 def _bad_payloads(schema: Schema) -> Iterator[Vector]:
     for layout in schema.messages:
-        values = _values(schema, layout, _within(schema, _typical))
+        values = _values(schema, layout, "typical")
         payload = _pack(schema, layout, values)
         yield _vector(schema, f"{layout.name}_too_long", layout, payload + b"\x01", "bad_length")
         if payload:
@@ -130,57 +134,56 @@ def _bad_frames(schema: Schema) -> Iterator[Vector]:
     yield raw("length_above", "framing", stuff(_frame(schema, 0x03, 7, b"\1\2", length=3)))
     yield raw("length_below", "framing", stuff(_frame(schema, 0x03, 7, b"\1\2", length=1)))
     yield raw("cobs_beyond_end", "framing", b"\xff" + good.replace(b"\0", b"\x07"))
-    yield raw("overrun", "overrun", stuff(_frame(schema, 0x03, 7, b"\x33" * (schema.max_payload + 1))))
+    yield raw(
+        "overrun", "overrun", stuff(_frame(schema, 0x03, 7, b"\x33" * (schema.max_payload + 1)))
+    )
     unknown = Layout("unknown", "", (), 0, 0, id=0x3F)
     yield _vector(schema, "unknown_message", unknown, b"\1\2\3", "unknown_message")
 
 
-def _typical(field: WireField, index: int) -> int:
-    low, high = integer_range(field.base)
-    low = low if field.minimum is None else field.minimum
-    high = high if field.maximum is None else field.maximum
-    pattern = sum((0x11 * (k + 1) + 7 * index) % 256 << (8 * k) for k in range(INTEGER_BYTES[field.base]))
-    return low + pattern % (high - low + 1) if high - low < pattern else max(low, pattern)
+def _number(field: WireField, index: int, style: str) -> int:
+    least, most = integer_range(field.base)
+    low = least if field.minimum is None else field.minimum
+    high = most if field.maximum is None else field.maximum
+    if style == "least":
+        return low
+    if style == "greatest":
+        return max(high, *field.also, 0)
+    size = INTEGER_BYTES[field.base]  # every byte another, so that swapped bytes or fields show
+    pattern = sum((0x11 * (k + 1) + 7 * index) % 256 << (8 * k) for k in range(size))
+    return max(low, pattern) if pattern <= high else low + pattern % (high - low + 1)
 
 
-def _least(field: WireField, _index: int) -> int:
-    return integer_range(field.base)[0] if field.minimum is None else field.minimum
+def _one(schema: Schema, field: WireField, index: int, style: str) -> Any:
+    if field.kind == "bool":
+        return style != "least"
+    if field.kind == "struct":
+        return _values(schema, schema.structs[field.base], style)
+    if field.kind == "enum":
+        enum = schema.enums[field.enum]
+        values = sorted(v.value for v in enum.values.values())
+        if enum.flags:
+            return {"typical": values[-1], "least": 0, "greatest": sum(values)}[style]
+        return {"typical": values[len(values) // 2], "least": values[0], "greatest": values[-1]}[
+            style
+        ]
+    return _number(field, index, style)
 
 
-def _greatest(field: WireField, _index: int) -> int:
-    return max(integer_range(field.base)[1] if field.maximum is None else field.maximum, *field.also, 0)
+def _value(schema: Schema, field: WireField, index: int, style: str) -> Any:
+    if field.count is None:
+        return _one(schema, field, index, style)
+    if field.kind == "ascii":
+        text = {"typical": f"{field.name}-{index}", "least": "", "greatest": "~" * field.count}
+        return text[style][: field.count]
+    some = {"typical": max(1, field.count // 3), "least": 0, "greatest": field.count}[style]
+    count = some if field.bounded else field.count
+    items = [_one(schema, field, index + k, style) for k in range(count)]
+    return bytes(items) if field.base == "u8" and field.kind == "int" else items
 
 
-def _within(schema: Schema, pick: _Pick) -> _Pick:
-    """The same choice for every kind of field."""
-
-    def choose(field: WireField, index: int) -> Any:
-        if field.kind == "ascii":
-            text = {_typical: f"{field.name}-{index}", _least: ""}.get(pick, "~" * (field.count or 0))
-            return text[: field.count]
-        if field.kind == "bool":
-            return pick is not _least
-        if field.kind == "enum":
-            values = sorted(v.value for v in schema.enums[field.enum].values.values())
-            if schema.enums[field.enum].flags:
-                return {_typical: values[-1], _least: 0}.get(pick, sum(values))
-            return {_typical: values[len(values) // 2], _least: values[0]}.get(pick, values[-1])
-        if field.kind == "struct":
-            return _values(schema, schema.structs[field.base], choose)
-        return pick(field, index)
-
-    def many(field: WireField, index: int) -> Any:
-        if field.count is None or field.kind == "ascii":
-            return choose(field, index)
-        least = {_typical: max(1, field.count // 3), _least: 0}.get(pick, field.count)
-        items = [choose(field, index + k) for k in range(least if field.bounded else field.count)]
-        return bytes(items) if field.base == "u8" and field.kind == "int" else items
-
-    return many
-
-
-def _values(schema: Schema, layout: Layout, pick: _Pick) -> dict[str, Any]:
-    return {field.name: pick(field, index) for index, field in enumerate(layout.fields)}
+def _values(schema: Schema, layout: Layout, style: str) -> dict[str, Any]:
+    return {f.name: _value(schema, f, index, style) for index, f in enumerate(layout.fields)}
 
 
 def _pack(schema: Schema, layout: Layout, values: dict[str, Any]) -> bytes:
@@ -188,7 +191,11 @@ def _pack(schema: Schema, layout: Layout, values: dict[str, Any]) -> bytes:
     for field in layout.fields:
         value = values[field.name]
         if field.kind == "ascii":
-            value = value if isinstance(value, bytes) else value.encode("ascii").ljust(field.count or 0, b"\0")
+            value = (
+                value
+                if isinstance(value, bytes)
+                else value.encode("ascii").ljust(field.count or 0, b"\0")
+            )
         items = [value] if field.count is None else value
         if field.bounded:
             out.append(len(items))
@@ -196,7 +203,9 @@ def _pack(schema: Schema, layout: Layout, values: dict[str, Any]) -> bytes:
             if field.kind == "struct":
                 out += _pack(schema, schema.structs[field.base], item)
             else:
-                out += int(item).to_bytes(INTEGER_BYTES[field.base], "little", signed=field.base[0] == "i")
+                out += int(item).to_bytes(
+                    INTEGER_BYTES[field.base], "little", signed=field.base[0] == "i"
+                )
     return bytes(out)
 
 
@@ -212,7 +221,7 @@ def _outside(schema: Schema, field: WireField) -> Iterator[Any]:
         yield max(v.value for v in schema.enums[field.enum].values.values()) + 1
     elif field.kind == "struct":
         inner = schema.structs[field.base]
-        good = _values(schema, inner, _within(schema, _typical))
+        good = _values(schema, inner, "typical")
         for part in inner.fields:
             for wrong in _outside(schema, part):
                 bad = good | {part.name: wrong}

@@ -11,7 +11,7 @@
 namespace reliefscope::wire {
 
 inline constexpr std::uint16_t kProtocolVersion = 1;
-inline constexpr std::uint8_t kSchemaHash[16] = {0x14, 0x38, 0x7B, 0x3D, 0x78, 0x23, 0xC7, 0xC5, 0x82, 0x10, 0x9A, 0xE7, 0xC5, 0x39, 0x76, 0xA8};
+inline constexpr std::uint8_t kSchemaHash[16] = {0x8B, 0x9F, 0xD3, 0x2B, 0x91, 0x07, 0x82, 0xA6, 0x44, 0x93, 0xE9, 0x92, 0x89, 0x84, 0x0B, 0xF5};
 inline constexpr std::size_t kHeaderSize = 11;
 inline constexpr std::size_t kCrcSize = 4;
 inline constexpr std::size_t kMaxPayload = 258;
@@ -57,6 +57,8 @@ inline constexpr std::uint32_t kEventReserve = 4U;
 inline constexpr std::uint32_t kLinkTimeoutMs = 2000U;
 // The letters BOOT; guards enter_bootloader.
 inline constexpr std::uint32_t kBootloaderMagic = 1414483778U;
+// Error codes below this reject a request before it reaches its handler; from this on it failed.
+inline constexpr std::uint32_t kFirstFailure = 16U;
 // Temperature of a board that cannot measure it.
 inline constexpr std::int32_t kTemperatureUnknown = -32768;
 
@@ -308,8 +310,7 @@ enum class MessageId : std::uint8_t {
   kFaultEvent = 0x43,
 };
 
-// A request with an error code below this did not reach its handler (rejected), others failed.
-inline constexpr std::uint8_t kFirstFailure = 16;
+// Whether a request with this error did not reach its handler; with others it failed there.
 constexpr bool is_rejection(ErrorCode code) { return static_cast<std::uint8_t>(code) < kFirstFailure; }
 
 
@@ -327,10 +328,10 @@ struct Header {
 struct Step {
   static constexpr std::size_t kMinSize = 12;
   static constexpr std::size_t kMaxSize = 12;
-  std::uint8_t aperture = 0;  // Aperture slot; 255 is shut. (..15 or 255)
-  std::uint8_t light = 0;  // Light slot; 255 is off. (..31 or 255)
-  std::uint16_t repeat = 0;  // Exposures of this step. (1..)
-  std::uint32_t settle_us = 0;  // Wait after aperture and light were set and before the first trigger. [us] (..60000000)
+  std::uint8_t aperture = 0;  // Aperture slot; 255 is shut. (0..15 or 255)
+  std::uint8_t light = 0;  // Light slot; 255 is off. (0..31 or 255)
+  std::uint16_t repeat = 0;  // Exposures of this step. (1..65535)
+  std::uint32_t settle_us = 0;  // Wait after aperture and light were set and before the first trigger. [us] (0..60000000)
   std::uint32_t exposure_us = 0;  // Exposure time. [us] (10..60000000)
 };
 
@@ -354,7 +355,7 @@ struct HelloReply {
   char serial_number[16] = {};  // Serial number from the settings; empty when none was given.
   std::uint32_t capabilities = 0;  // What this board has.
   ResetCause reset_cause = ResetCause::kUnknown;  // Why it started last.
-  std::uint32_t boot_nonce = 0;  // Number that differs from boot to boot; never 0. (1..)
+  std::uint32_t boot_nonce = 0;  // Number that differs from boot to boot; never 0. (1..4294967295)
   std::uint32_t last_request_id = 0;  // Highest request id that was run since the start.
   std::uint8_t aperture_slots = 0;  // Number of aperture slots.
   std::uint8_t light_slots = 0;  // Number of light slots.
@@ -393,8 +394,8 @@ struct StatusReply {
   static constexpr std::size_t kMaxSize = 37;
   SequenceState sequence = SequenceState::kIdle;  // State of the sequencer.
   FaultReason fault = FaultReason::kNone;  // Latched fault, or NONE.
-  std::uint8_t aperture = 0;  // Aperture slot that was last sent to the glass; 255 is shut. (..15 or 255)
-  std::uint8_t light = 0;  // Light slot that is on; 255 is off. (..31 or 255)
+  std::uint8_t aperture = 0;  // Aperture slot that was last sent to the glass; 255 is shut. (0..15 or 255)
+  std::uint8_t light = 0;  // Light slot that is on; 255 is off. (0..31 or 255)
   bool camera_ready = false;  // Level of the camera's ready line; true where it is not wired.
   std::uint64_t uptime_us = 0;  // Time since the start. [us]
   std::uint32_t table_hash = 0;  // Hash of the committed table; 0 when there is none.
@@ -429,9 +430,9 @@ struct LoadLightRequest {
   static constexpr MessageId kId = MessageId::kLoadLightRequest;
   static constexpr std::size_t kMinSize = 2;
   static constexpr std::size_t kMaxSize = 98;
-  std::uint8_t slot = 0;  // Slot to load. (..31)
+  std::uint8_t slot = 0;  // Slot to load. (0..31)
   std::uint8_t levels_count = 0;  // At most 48.
-  std::uint16_t levels[48] = {};  // Level of LED 0, 1, ...; LEDs that are not named are off. (..4095)
+  std::uint16_t levels[48] = {};  // Level of LED 0, 1, ...; LEDs that are not named are off. (0..4095)
 };
 
 // Answer to load_light: what was set or found.
@@ -439,7 +440,7 @@ struct LoadLightReply {
   static constexpr MessageId kId = MessageId::kLoadLightReply;
   static constexpr std::size_t kMinSize = 9;
   static constexpr std::size_t kMaxSize = 9;
-  std::uint8_t slot = 0;  // Slot that was loaded. (..31)
+  std::uint8_t slot = 0;  // Slot that was loaded. (0..31)
   std::uint32_t crc32 = 0;  // CRC-32 over the levels of all LEDS LEDs as u16 little-endian.
   std::uint32_t level_sum = 0;  // Sum of the levels.
 };
@@ -449,8 +450,8 @@ struct ApertureChunkRequest {
   static constexpr MessageId kId = MessageId::kApertureChunkRequest;
   static constexpr std::size_t kMinSize = 258;
   static constexpr std::size_t kMaxSize = 258;
-  std::uint8_t slot = 0;  // Slot to write. (..15)
-  std::uint8_t chunk = 0;  // Which quarter of the bitmap. (..3)
+  std::uint8_t slot = 0;  // Slot to write. (0..15)
+  std::uint8_t chunk = 0;  // Which quarter of the bitmap. (0..3)
   std::uint8_t data[256] = {};  // Bytes chunk*256 to chunk*256+255 of the bitmap.
 };
 
@@ -459,8 +460,8 @@ struct ApertureChunkReply {
   static constexpr MessageId kId = MessageId::kApertureChunkReply;
   static constexpr std::size_t kMinSize = 2;
   static constexpr std::size_t kMaxSize = 2;
-  std::uint8_t slot = 0;  // Slot that was written. (..15)
-  std::uint8_t chunk = 0;  // Chunk that was written. (..3)
+  std::uint8_t slot = 0;  // Slot that was written. (0..15)
+  std::uint8_t chunk = 0;  // Chunk that was written. (0..3)
 };
 
 // Makes an aperture slot valid if all its 1,024 bytes have the given CRC.
@@ -468,7 +469,7 @@ struct CommitApertureRequest {
   static constexpr MessageId kId = MessageId::kCommitApertureRequest;
   static constexpr std::size_t kMinSize = 5;
   static constexpr std::size_t kMaxSize = 5;
-  std::uint8_t slot = 0;  // Slot to commit. (..15)
+  std::uint8_t slot = 0;  // Slot to commit. (0..15)
   std::uint32_t crc32 = 0;  // CRC-32 over the bitmap.
 };
 
@@ -477,9 +478,9 @@ struct CommitApertureReply {
   static constexpr MessageId kId = MessageId::kCommitApertureReply;
   static constexpr std::size_t kMinSize = 7;
   static constexpr std::size_t kMaxSize = 7;
-  std::uint8_t slot = 0;  // Slot that is valid now. (..15)
+  std::uint8_t slot = 0;  // Slot that is valid now. (0..15)
   std::uint32_t crc32 = 0;  // CRC-32 over the bitmap that is in the slot.
-  std::uint16_t open_pixels = 0;  // Number of open pixels. (..8192)
+  std::uint16_t open_pixels = 0;  // Number of open pixels. (0..8192)
 };
 
 // Sends a slot to the glass. The glass takes its time to follow.
@@ -487,7 +488,7 @@ struct SelectApertureRequest {
   static constexpr MessageId kId = MessageId::kSelectApertureRequest;
   static constexpr std::size_t kMinSize = 1;
   static constexpr std::size_t kMaxSize = 1;
-  std::uint8_t slot = 0;  // Slot; 255 is shut. (..15 or 255)
+  std::uint8_t slot = 0;  // Slot; 255 is shut. (0..15 or 255)
 };
 
 // Answer to select_aperture: what was set or found.
@@ -495,7 +496,7 @@ struct SelectApertureReply {
   static constexpr MessageId kId = MessageId::kSelectApertureReply;
   static constexpr std::size_t kMinSize = 5;
   static constexpr std::size_t kMaxSize = 5;
-  std::uint8_t slot = 0;  // Slot that is being sent. (..15 or 255)
+  std::uint8_t slot = 0;  // Slot that is being sent. (0..15 or 255)
   std::uint32_t crc32 = 0;  // CRC-32 over its bitmap (shut: 1,024 zeros).
 };
 
@@ -504,7 +505,7 @@ struct SelectLightRequest {
   static constexpr MessageId kId = MessageId::kSelectLightRequest;
   static constexpr std::size_t kMinSize = 1;
   static constexpr std::size_t kMaxSize = 1;
-  std::uint8_t slot = 0;  // Slot; 255 is off. (..31 or 255)
+  std::uint8_t slot = 0;  // Slot; 255 is off. (0..31 or 255)
 };
 
 // Answer to select_light: what was set or found.
@@ -512,7 +513,7 @@ struct SelectLightReply {
   static constexpr MessageId kId = MessageId::kSelectLightReply;
   static constexpr std::size_t kMinSize = 5;
   static constexpr std::size_t kMaxSize = 5;
-  std::uint8_t slot = 0;  // Slot that is on. (..31 or 255)
+  std::uint8_t slot = 0;  // Slot that is on. (0..31 or 255)
   std::uint32_t level_sum = 0;  // Sum of the levels that are on.
 };
 
@@ -536,7 +537,7 @@ struct StepChunkRequest {
   static constexpr MessageId kId = MessageId::kStepChunkRequest;
   static constexpr std::size_t kMinSize = 3;
   static constexpr std::size_t kMaxSize = 195;
-  std::uint16_t first = 0;  // Index of the first step written. (..1023)
+  std::uint16_t first = 0;  // Index of the first step written. (0..1023)
   std::uint8_t steps_count = 0;  // At most 16.
   Step steps[16] = {};  // Steps from there on.
 };
@@ -546,8 +547,8 @@ struct StepChunkReply {
   static constexpr MessageId kId = MessageId::kStepChunkReply;
   static constexpr std::size_t kMinSize = 3;
   static constexpr std::size_t kMaxSize = 3;
-  std::uint16_t first = 0;  // Index of the first step written. (..1023)
-  std::uint8_t count = 0;  // Steps written. (..16)
+  std::uint16_t first = 0;  // Index of the first step written. (0..1023)
+  std::uint8_t count = 0;  // Steps written. (0..16)
 };
 
 // Makes the first `count` steps the table, if they have the given CRC (over their wire form), every slot they name is loaded, and no limit is exceeded. The CRC is the table's hash.
@@ -574,12 +575,12 @@ struct StartRequest {
   static constexpr MessageId kId = MessageId::kStartRequest;
   static constexpr std::size_t kMinSize = 27;
   static constexpr std::size_t kMaxSize = 27;
-  std::uint32_t run_id = 0;  // Number chosen by the host; every event of this sequence carries it. (1..)
+  std::uint32_t run_id = 0;  // Number chosen by the host; every event of this sequence carries it. (1..4294967295)
   std::uint32_t table_hash = 0;  // Hash of the table that is to run.
-  std::uint32_t deadline_ms = 0;  // Longest time from here to the end, pauses not counted; then SEQUENCE_DEADLINE. [ms] (1..)
-  std::uint32_t light_lead_us = 0;  // Time that the light is on before each trigger. [us] (..1000000)
+  std::uint32_t deadline_ms = 0;  // Longest time from here to the end, pauses not counted; then SEQUENCE_DEADLINE. [ms] (1..4294967295)
+  std::uint32_t light_lead_us = 0;  // Time that the light is on before each trigger. [us] (0..1000000)
   std::uint32_t trigger_us = 0;  // Length of the trigger pulse. [us] (1..100000)
-  std::uint32_t gap_us = 0;  // Wait from the end of an exposure to what comes next. [us] (..10000000)
+  std::uint32_t gap_us = 0;  // Wait from the end of an exposure to what comes next. [us] (0..10000000)
   std::uint16_t ready_timeout_ms = 0;  // Longest wait for the camera's ready line (where wired); 0 ignores the line. [ms]
   bool require_strobe = false;  // A trigger without a strobe is a fault (where wired).
 };
@@ -589,7 +590,7 @@ struct StartReply {
   static constexpr MessageId kId = MessageId::kStartReply;
   static constexpr std::size_t kMinSize = 12;
   static constexpr std::size_t kMaxSize = 12;
-  std::uint32_t run_id = 0;  // Run that was started. (1..)
+  std::uint32_t run_id = 0;  // Run that was started. (1..4294967295)
   std::uint32_t table_hash = 0;  // Hash of the table that runs.
   std::uint32_t exposures = 0;  // Exposures that will follow.
 };
@@ -599,7 +600,7 @@ struct PauseRequest {
   static constexpr MessageId kId = MessageId::kPauseRequest;
   static constexpr std::size_t kMinSize = 4;
   static constexpr std::size_t kMaxSize = 4;
-  std::uint32_t run_id = 0;  // Run to pause. (1..)
+  std::uint32_t run_id = 0;  // Run to pause. (1..4294967295)
 };
 
 // Answer to pause: what was set or found.
@@ -616,7 +617,7 @@ struct ResumeRequest {
   static constexpr MessageId kId = MessageId::kResumeRequest;
   static constexpr std::size_t kMinSize = 4;
   static constexpr std::size_t kMaxSize = 4;
-  std::uint32_t run_id = 0;  // Run to resume. (1..)
+  std::uint32_t run_id = 0;  // Run to resume. (1..4294967295)
 };
 
 // Answer to resume: what was set or found.
@@ -722,8 +723,8 @@ struct GetSettingsReply {
   char serial_number[16] = {};  // Serial number of the instrument.
   GlassVariant glass_variant = GlassVariant::kEStnPositive;  // Glass that is fitted.
   Mounting mounting = Mounting::kBottomView;  // How the glass sits.
-  std::uint8_t contrast = 0;  // Fine contrast of the driver chip (electronic volume). (..63)
-  std::uint8_t resistor_ratio = 0;  // Coarse contrast of the driver chip (resistor ratio). (..7)
+  std::uint8_t contrast = 0;  // Fine contrast of the driver chip (electronic volume). (0..63)
+  std::uint8_t resistor_ratio = 0;  // Coarse contrast of the driver chip (resistor ratio). (0..7)
 };
 
 // Replaces all settings, stores them and sets the glass up again. Not during a sequence.
@@ -734,8 +735,8 @@ struct SetSettingsRequest {
   char serial_number[16] = {};  // Serial number of the instrument.
   GlassVariant glass_variant = GlassVariant::kEStnPositive;  // Glass that is fitted.
   Mounting mounting = Mounting::kBottomView;  // How the glass sits.
-  std::uint8_t contrast = 0;  // Fine contrast of the driver chip (electronic volume). (..63)
-  std::uint8_t resistor_ratio = 0;  // Coarse contrast of the driver chip (resistor ratio). (..7)
+  std::uint8_t contrast = 0;  // Fine contrast of the driver chip (electronic volume). (0..63)
+  std::uint8_t resistor_ratio = 0;  // Coarse contrast of the driver chip (resistor ratio). (0..7)
 };
 
 // Answer to set_settings: what was set or found.
@@ -746,8 +747,8 @@ struct SetSettingsReply {
   char serial_number[16] = {};  // Serial number of the instrument.
   GlassVariant glass_variant = GlassVariant::kEStnPositive;  // Glass that is fitted.
   Mounting mounting = Mounting::kBottomView;  // How the glass sits.
-  std::uint8_t contrast = 0;  // Fine contrast of the driver chip (electronic volume). (..63)
-  std::uint8_t resistor_ratio = 0;  // Coarse contrast of the driver chip (resistor ratio). (..7)
+  std::uint8_t contrast = 0;  // Fine contrast of the driver chip (electronic volume). (0..63)
+  std::uint8_t resistor_ratio = 0;  // Coarse contrast of the driver chip (resistor ratio). (0..7)
 };
 
 // The request did not reach its handler. Nothing happened. Not kept in the ring.
@@ -786,10 +787,10 @@ struct ExposureEvent {
   std::uint32_t table_hash = 0;  // Hash of the table.
   std::uint32_t run_id = 0;  // Run.
   std::uint32_t index = 0;  // Exposure within the run, from 0.
-  std::uint16_t step = 0;  // Step of the table. (..1023)
+  std::uint16_t step = 0;  // Step of the table. (0..1023)
   std::uint16_t repeat = 0;  // Exposure within the step, from 0.
-  std::uint8_t aperture = 0;  // Aperture slot that was on the glass. (..15 or 255)
-  std::uint8_t light = 0;  // Light slot that was on. (..31 or 255)
+  std::uint8_t aperture = 0;  // Aperture slot that was on the glass. (0..15 or 255)
+  std::uint8_t light = 0;  // Light slot that was on. (0..31 or 255)
   std::uint64_t start_us = 0;  // Device time of the trigger's edge. [us]
   std::uint32_t settle_waited_us = 0;  // Time from the last byte to the glass to the trigger. [us]
   std::uint32_t exposure_us = 0;  // Exposure that was made. [us]
