@@ -1,0 +1,119 @@
+"""The ``reliefscope`` command: its subcommands, and what happens to an error.
+
+Nothing here, nor in the modules of the subcommands, imports numpy, numba or textual before a command really
+runs: ``--help`` answers at once.
+"""
+
+from __future__ import annotations
+
+import logging
+import sys
+from collections.abc import Sequence
+from typing import Annotated
+
+import typer
+
+from reliefscope import __version__
+from reliefscope.cli.commands import acquire, dataset, demo, diagnose, evaluate, reconstruct, tui
+from reliefscope.cli.errors import print_error, print_traceback
+from reliefscope.errors import Cancelled, ExitCode, ReliefscopeError
+
+app = typer.Typer(
+    name="reliefscope",
+    help="A miniature 3D microscope and reflectometer without a moving part.",
+    epilog="Start with `reliefscope demo`; it needs no instrument.",
+    add_completion=True,
+    context_settings={"help_option_names": ["-h", "--help"]},
+)
+
+app.command("demo", rich_help_panel="Start here")(demo.demo)
+app.command("doctor", rich_help_panel="Start here")(diagnose.doctor)
+app.command("tui", rich_help_panel="Measure")(tui.tui)
+app.command("acquire", rich_help_panel="Measure")(acquire.acquire)
+app.command("import", rich_help_panel="Measure")(dataset.import_photographs)
+app.command("reconstruct", rich_help_panel="Process")(reconstruct.reconstruct)
+app.command("evaluate", rich_help_panel="Process")(evaluate.evaluate)
+app.command("info", rich_help_panel="Look after runs")(dataset.info)
+app.command("verify", rich_help_panel="Look after runs")(dataset.verify)
+
+
+def _version(wanted: bool) -> None:
+    if wanted:
+        typer.echo(f"reliefscope {__version__}")
+        raise typer.Exit
+
+
+@app.callback(invoke_without_command=True)
+def _common(
+    context: typer.Context,
+    verbose: Annotated[
+        int, typer.Option("--verbose", "-v", count=True, help="Log what is done; twice: every detail.")
+    ] = 0,
+    debug: Annotated[
+        bool, typer.Option("--debug", help="Show the traceback of an error, and log every detail.")
+    ] = False,
+    version: Annotated[
+        bool,
+        typer.Option("--version", callback=_version, is_eager=True, help="Print the version."),
+    ] = False,
+) -> None:
+    if context.invoked_subcommand is None:
+        typer.echo(context.get_help())
+        raise typer.Exit(ExitCode.USAGE)
+    levels = (logging.WARNING, logging.INFO, logging.DEBUG)
+    logging.basicConfig(
+        level=levels[2 if debug else min(verbose, 2)],
+        format="%(asctime)s %(levelname)s %(name)s: %(message)s",
+        stream=sys.stderr,
+        force=True,
+    )
+    for library in ("matplotlib", "numba", "PIL", "asyncio"):
+        logging.getLogger(library).setLevel(logging.WARNING)
+
+
+def run(arguments: Sequence[str] | None = None) -> int:
+    """Run the command line; every outcome ends as one of :class:`~reliefscope.errors.ExitCode`."""
+    given = list(sys.argv[1:] if arguments is None else arguments)
+    as_json, debug = "--json" in given, "--debug" in given
+    try:
+        status = app(args=given, prog_name="reliefscope", standalone_mode=False)
+    except ReliefscopeError as error:
+        if debug:
+            print_traceback()
+        print_error(error, as_json=as_json)
+        return int(error.exit_code)
+    except typer.TyperException as error:
+        print_error(_usage_error(error), as_json=as_json)
+        return int(ExitCode.USAGE)
+    except (typer.Abort, KeyboardInterrupt):
+        print_error(Cancelled("Stopped; everything finished so far is kept."), as_json=as_json)
+        return int(ExitCode.CANCELLED)
+    except BrokenPipeError:  # the reader of our output went away, as in `| head`
+        sys.stderr.close()
+        return int(ExitCode.OK)
+    except Exception as error:  # noqa: BLE001 - the last resort: one line for people, not a traceback
+        if debug:
+            print_traceback()
+        print_error(_unforeseen(error, given), as_json=as_json)
+        return int(ExitCode.FAILURE)
+    return status if isinstance(status, int) else int(ExitCode.OK)
+
+
+class _UsageError(ReliefscopeError):
+    """The command line itself was wrong."""
+
+    exit_code = ExitCode.USAGE
+
+
+def _usage_error(error: typer.TyperException) -> ReliefscopeError:
+    context = getattr(error, "ctx", None)
+    command = context.command_path if context is not None else "reliefscope"
+    return _UsageError(error.format_message(), hint=f"See `{command} --help`.")
+
+
+def _unforeseen(error: Exception, given: Sequence[str]) -> ReliefscopeError:
+    command = " ".join(["reliefscope", "--debug", *given])
+    return ReliefscopeError(
+        f"Unforeseen {type(error).__name__}: {error}",
+        hint=f"This is a defect of the program. `{command}` shows where; please report its output.",
+    )

@@ -1,0 +1,144 @@
+"""Results for people, drawn with rich."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping, Sequence
+from typing import TYPE_CHECKING, Any
+
+from rich.console import Console
+from rich.markup import escape
+from rich.table import Table
+from rich.text import Text
+
+from reliefscope.cli.progress import duration, label
+
+if TYPE_CHECKING:
+    from reliefscope.doctor import Check
+    from reliefscope.microscope import DemoResult, Outcome, TableRow
+
+SECTIONS = {
+    "checker_tops": "checker tops",
+    "checker_floors": "checker floors",
+    "planes": "planes",
+    "hemispheres": "hemispheres",
+    "full": "full",
+}
+
+
+def show_facts(console: Console, title: str, facts: Mapping[str, Any]) -> None:
+    """Names and values, two columns; nested facts are indented."""
+    table = Table(title=title, show_header=False, box=None, title_justify="left", title_style="bold")
+    table.add_column(style="cyan", no_wrap=True)
+    table.add_column(overflow="fold")
+    _add_facts(table, facts, "")
+    console.print(table)
+
+
+def _add_facts(table: Table, facts: Mapping[str, Any], indent: str) -> None:
+    for name, value in facts.items():
+        if isinstance(value, Mapping):
+            table.add_row(f"{indent}{label(name)}", "")
+            _add_facts(table, value, indent + "  ")
+        else:
+            table.add_row(f"{indent}{label(name)}", escape(_text(value)))
+
+
+def _text(value: Any) -> str:
+    if value is None:
+        return "-"
+    if isinstance(value, bool):
+        return "yes" if value else "no"
+    if isinstance(value, float):
+        return f"{value:.4g}"
+    if isinstance(value, list | tuple):
+        return ", ".join(_text(item) for item in value) or "none"
+    return str(value)
+
+
+def show_table(console: Console, rows: Sequence[TableRow], paper: Mapping[str, float]) -> None:
+    """Mean absolute errors beside Table I of the paper."""
+    for method in dict.fromkeys(row["method"] for row in rows):
+        table = Table(
+            title=f"Mean absolute error in µm, method {method}",
+            title_justify="left",
+            title_style="bold",
+        )
+        table.add_column("section")
+        table.add_column("raw", justify="right")
+        table.add_column("after one\nmedian offset", justify="right", style="bold")
+        table.add_column("after\nplane fit", justify="right")
+        table.add_column("paper,\nTable I", justify="right", style="cyan")
+        for row in rows:
+            if row["method"] == method:
+                _add_errors(table, row, paper.get(row["section"]))
+        console.print(table)
+    console.print(
+        "[dim]Every pixel counts, a missing height as 100 µm. The paper does not tell its alignment, "
+        "nor how it counted the floors, which lie in shadow.[/]"
+    )
+
+
+def _add_errors(table: Table, row: TableRow, reference: float | None) -> None:
+    offset = row["mae_offset_um"]
+    colour = "" if reference is None else ("green" if offset <= reference else "yellow")
+    table.add_row(
+        SECTIONS.get(row["section"], label(row["section"])),
+        f"{row['mae_raw_um']:.2f}",
+        Text(f"{offset:.2f}", style=colour),
+        f"{row['mae_plane_um']:.2f}",
+        "-" if reference is None else f"{reference:.1f}",
+    )
+
+
+def show_stages(console: Console, stages_s: Mapping[str, float], total_s: float) -> None:
+    """Time of each stage."""
+    table = Table(title="Time", title_justify="left", title_style="bold", show_header=False)
+    table.add_column()
+    table.add_column(justify="right")
+    for stage, spent in stages_s.items():
+        table.add_row(label(stage), duration(spent))
+    table.add_section()
+    table.add_row("[bold]total[/]", f"[bold]{duration(total_s)}[/]")
+    console.print(table)
+
+
+def show_demo(console: Console, result: DemoResult) -> None:
+    """The demo's table, times and places."""
+    if result.table:
+        show_table(console, result.table, result.paper_table)
+    show_stages(console, result.stages_s, result.total_s)
+    _show_places(console, result.outcome)
+    console.print(f"\nLook at it: [bold]reliefscope info {escape(str(result.run))}[/]")
+
+
+def show_reconstruction(console: Console, outcome: Outcome) -> None:
+    """What a reconstruction found, and where it lies."""
+    show_facts(console, f"Reconstruction {outcome.name}", outcome.facts())
+    show_stages(console, outcome.stages_s, outcome.total_s)
+    _show_places(console, outcome)
+
+
+def _show_places(console: Console, outcome: Outcome) -> None:
+    console.print(f"\nRun      [bold]{escape(str(outcome.run))}[/]")
+    console.print(f"Results  [bold]{escape(str(outcome.folder))}[/]")
+    for picture in outcome.pictures:
+        console.print(f"         {escape(picture.name)}", style="dim")
+
+
+def show_checks(console: Console, checks: Sequence[Check]) -> None:
+    """The doctor's findings, each failure with what to do."""
+    marks = {
+        "ok": "[green]ok[/]",
+        "warning": "[yellow]warning[/]",
+        "failed": "[bold red]failed[/]",
+        "absent": "[dim]absent[/]",
+    }
+    table = Table(box=None, show_header=False, padding=(0, 1))
+    table.add_column(no_wrap=True)
+    table.add_column(style="bold", no_wrap=True)
+    table.add_column(overflow="fold")
+    for check in checks:
+        table.add_row(marks[check.status], check.name, escape(check.finding))
+        if check.hint:
+            table.add_row("", "", f"[cyan]{escape(check.hint)}[/]")
+    console.print(table)

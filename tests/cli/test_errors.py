@@ -1,0 +1,117 @@
+"""One clear error each: a line, a hint, a status from the table; an object with ``--json``."""
+
+import json
+from collections.abc import Callable
+
+import pytest
+
+from reliefscope import cli
+from reliefscope.cli import app as application
+from reliefscope.errors import Cancelled, ExitCode, InvalidInputError, LockedError
+
+Raised = Callable[[BaseException], None]
+
+
+@pytest.fixture
+def raised(monkeypatch: pytest.MonkeyPatch) -> Raised:
+    """Make every run of the command line end with an exception."""
+
+    def make(error: BaseException) -> None:
+        def fail(**_: object) -> None:
+            raise error
+
+        monkeypatch.setattr(application, "app", fail)
+
+    return make
+
+
+@pytest.mark.parametrize(
+    ("error", "status"),
+    [
+        (InvalidInputError("That is wrong.", hint="Do it right."), ExitCode.INVALID_INPUT),
+        (LockedError("Process 12 holds the run.", hint="Wait for it."), ExitCode.LOCKED),
+        (Cancelled("Stopped."), ExitCode.CANCELLED),
+        (KeyboardInterrupt(), ExitCode.CANCELLED),
+        (ZeroDivisionError("division by zero"), ExitCode.FAILURE),
+    ],
+)
+def test_status_is_that_of_the_error(
+    raised: Raised, capsys: pytest.CaptureFixture[str], error: BaseException, status: ExitCode
+) -> None:
+    raised(error)
+    assert cli.main(["info", "x"]) == status
+    shown = capsys.readouterr()
+    assert shown.out == ""
+    assert shown.err.startswith("error: ")
+    assert "Traceback" not in shown.err
+
+
+def test_message_and_hint_keep_their_brackets(
+    raised: Raised, capsys: pytest.CaptureFixture[str]
+) -> None:
+    raised(InvalidInputError("views[0] is [bold].", hint="One.\nTwo [x]."))
+    cli.main(["info", "x"])
+    lines = capsys.readouterr().err.splitlines()
+    assert lines == ["error: views[0] is [bold].", "hint:  One.", "hint:  Two [x]."]
+
+
+def test_json_prints_one_object(raised: Raised, capsys: pytest.CaptureFixture[str]) -> None:
+    raised(InvalidInputError("That is wrong.", hint="Do it right."))
+    assert cli.main(["info", "x", "--json"]) == ExitCode.INVALID_INPUT
+    assert json.loads(capsys.readouterr().out) == {
+        "schema_version": 1,
+        "error": {
+            "kind": "InvalidInputError",
+            "message": "That is wrong.",
+            "hint": "Do it right.",
+            "exit_code": 3,
+        },
+    }
+
+
+def test_debug_shows_where(raised: Raised, capsys: pytest.CaptureFixture[str]) -> None:
+    raised(ZeroDivisionError("division by zero"))
+    assert cli.main(["--debug", "info", "x"]) == ExitCode.FAILURE
+    assert "Traceback" in capsys.readouterr().err
+
+
+@pytest.mark.parametrize(
+    ("arguments", "expected"),
+    [
+        (["fly"], "fly"),
+        (["verify"], "RUN"),
+        (["info", "x", "--colour"], "--colour"),
+        (["reconstruct", "x", "--progress", "loud"], "loud"),
+    ],
+)
+def test_wrong_command_line_is_a_usage_error(
+    capsys: pytest.CaptureFixture[str], arguments: list[str], expected: str
+) -> None:
+    assert cli.main(arguments) == ExitCode.USAGE
+    error = capsys.readouterr().err
+    assert error.startswith("error: ")
+    assert expected in error
+    assert "--help" in error
+
+
+def test_usage_error_as_json(capsys: pytest.CaptureFixture[str]) -> None:
+    assert cli.main(["verify", "--json"]) == ExitCode.USAGE
+    assert json.loads(capsys.readouterr().out)["error"]["exit_code"] == ExitCode.USAGE
+
+
+def test_no_screen_without_a_terminal(capsys: pytest.CaptureFixture[str]) -> None:
+    assert cli.main(["tui"]) == ExitCode.INVALID_INPUT
+    assert "terminal" in capsys.readouterr().err
+
+
+@pytest.mark.parametrize("size", ["320", "3x3", "axb", "320x-1"])
+def test_wrong_size_is_refused_before_anything_happens(
+    capsys: pytest.CaptureFixture[str], size: str
+) -> None:
+    assert cli.main(["demo", "--size", size]) == ExitCode.INVALID_INPUT
+    assert "--size 320x240" in capsys.readouterr().err
+
+
+def test_resume_takes_no_other_plan(capsys: pytest.CaptureFixture[str]) -> None:
+    assert cli.main(["acquire", "--resume", "r", "--out", "q"]) == ExitCode.INVALID_INPUT
+    assert "--resume" in capsys.readouterr().err

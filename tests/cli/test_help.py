@@ -1,0 +1,46 @@
+"""``--help`` answers at once: it loads nothing heavy."""
+
+import json
+import subprocess
+import sys
+
+import pytest
+
+COMMANDS = ["demo", "acquire", "reconstruct", "evaluate", "verify", "info", "import", "doctor", "tui"]
+HEAVY = ["numpy", "numba", "scipy", "textual", "matplotlib", "cv2", "zarr", "serial"]
+PROGRAM = """
+import sys, json
+from reliefscope.cli import main
+status = main({arguments!r})
+sys.stdout.flush()
+print(json.dumps({{"status": status, "modules": [m for m in {heavy!r} if m in sys.modules]}}))
+"""
+
+
+def help_of(arguments: list[str]) -> tuple[str, dict[str, object]]:
+    program = PROGRAM.format(arguments=arguments, heavy=HEAVY)
+    done = subprocess.run(
+        [sys.executable, "-c", program], capture_output=True, text=True, timeout=60, check=True
+    )
+    text, last = done.stdout.rstrip("\n").rsplit("\n", 1)
+    return text, json.loads(last)
+
+
+@pytest.mark.parametrize("command", [None, *COMMANDS])
+def test_help_loads_nothing_heavy(command: str | None) -> None:
+    text, found = help_of(["--help"] if command is None else [command, "--help"])
+    assert found == {"status": 0, "modules": []}
+    assert "Usage" in text
+    assert len(text.splitlines()) > 5
+
+
+def test_help_names_every_command() -> None:
+    text, _ = help_of(["-h"])
+    for command in COMMANDS:
+        assert f" {command} " in text
+
+
+def test_without_a_command_the_help_is_shown_and_the_status_says_so() -> None:
+    text, found = help_of([])
+    assert found["status"] == 2
+    assert "Usage" in text
