@@ -98,7 +98,7 @@ def valid_span(
     return first.astype(np.int64), np.maximum(stop, first).astype(np.int64)
 
 
-@njit(cache=True, nogil=True, fastmath={"contract", "nsz"})
+@njit(cache=True, nogil=True, error_model="numpy", fastmath={"contract", "nsz"})
 def sample_block(source, top, left, row_weights, col_weights, offset, line, out):  # type: ignore[no-untyped-def]
     """Cubic samples of a block: ``out[r, c]`` is ``source`` at ``(top + r, left + c)`` plus the fraction.
 
