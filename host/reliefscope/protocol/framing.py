@@ -94,6 +94,10 @@ class FrameReader:
         self.dropped: Counter[str] = Counter()
         self._buffer = bytearray()
 
+    def reset(self) -> None:
+        """Forget an unfinished frame."""
+        self._buffer.clear()
+
     def feed(self, data: bytes) -> Iterator[Frame]:
         """Take bytes as they come, yield the frames that they complete.
 
