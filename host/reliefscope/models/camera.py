@@ -10,8 +10,21 @@ from __future__ import annotations
 from dataclasses import dataclass
 from typing import Protocol, runtime_checkable
 
+from reliefscope.errors import CameraError
 from reliefscope.models.instrument import Sensor
 from reliefscope.units import RawImage
+
+
+class CameraTimeout(CameraError):  # noqa: N818 - as TimeoutError's kin it names an event
+    """No frame came in time; the camera may deliver it later."""
+
+
+class CameraLostError(CameraError):
+    """The camera does not answer any more: unplugged, or without power."""
+
+
+class CameraBusyError(CameraError):
+    """Refused in the camera's present state, or held by someone else."""
 
 
 @dataclass(frozen=True, slots=True)

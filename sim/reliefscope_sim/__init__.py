@@ -1,0 +1,1 @@
+"""The simulated instrument: compiled firmware core, virtual parts, optics."""

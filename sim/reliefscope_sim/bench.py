@@ -1,0 +1,399 @@
+"""The bench: everything of one simulated instrument, and its time.
+
+Device and camera of the same NAME share a bench (:meth:`Bench.attach`).  Its time moves only in
+:meth:`Bench.wait`: from event to event (a firmware timer, the end of an exposure, a frame that arrives), never
+past what is waited for.  One lock guards all of it; rendering happens outside of that lock.
+"""
+
+from __future__ import annotations
+
+import threading
+import zlib
+from collections.abc import Callable
+from typing import ClassVar
+
+from reliefscope.errors import CameraError
+from reliefscope.models.camera import CameraBusyError, CameraLostError
+from reliefscope.protocol.messages import ResetCause
+from reliefscope.units import US_PER_S, RawImage
+from reliefscope_sim.clock import Clock
+from reliefscope_sim.display import DisplayController
+from reliefscope_sim.factory import factory_settings
+from reliefscope_sim.firmware import NEVER_US, Firmware
+from reliefscope_sim.glass import Glass
+from reliefscope_sim.lights import LedLines
+from reliefscope_sim.link import BYTE_US, WRITE_AHEAD, Cable
+from reliefscope_sim.optics import Renderer
+from reliefscope_sim.scenes import load_scene
+from reliefscope_sim.shutter import Exposure, Shutter
+from reliefscope_sim.trace import InputLine, OutputPin, TraceKind, TraceRecord
+from reliefscope_sim.url import SimUrl
+
+POLL_US = 100
+"""Time that looking for bytes or frames without waiting takes; a host that polls lets the clock run too."""
+_NAP_S = 0.02
+"""Longest sleep before a wait looks again whether it was cancelled."""
+
+
+class Bench:
+    """One simulated instrument on a bench, switched on when it is made.
+
+    Raises
+    ------
+    InvalidInputError
+        If profile, size or scene do not exist.
+    DeviceError
+        If the compiled firmware core is missing.
+    """
+
+    _registry: ClassVar[dict[str, Bench]] = {}
+    _registry_lock: ClassVar[threading.RLock] = threading.RLock()
+    _switched_on: ClassVar[int] = 0
+
+    def __init__(self, url: SimUrl) -> None:
+        self.url = url
+        self.profile = url.load_profile()
+        self.as_built = url.load_as_built(self.profile)
+        self.serial_number = f"SIM-{url.name}"[:16]
+        self.faults = url.faults
+        self.display = DisplayController(url.mounting, url.seed)
+        self.glass = Glass(self.profile.glass)
+        self.leds = LedLines(self.profile.dome.count)
+        self.shutter = Shutter(self.glass, self.leds, self.profile.camera.frames_per_s, self.faults)
+        self.cable = Cable(self.faults, url.seed)
+        self.time_us = 0
+        Bench._switched_on += 1
+        self._boots = Bench._switched_on << 16
+        self._users = 0
+        self._stalled = False
+        self._in_bootloader = False
+        self._brown_out_us = NEVER_US
+        self._trigger_level = 0
+        self._inputs: dict[InputLine, bool] = {}
+        self._changed = threading.Condition(threading.RLock())
+        self._render_lock = threading.Lock()
+        self._renderer: Renderer | None = None
+        self._camera_open = False
+        settings = factory_settings(self.profile.glass.variant, url.mounting, self.serial_number)
+        self._firmware = Firmware(settings, self._next_nonce())
+        self._clock = Clock(url.time)
+
+    # --- who uses it ---
+
+    @classmethod
+    def attach(cls, url: str) -> Bench:
+        """The bench of the NAME in ``url``, switched on if need be; give it back with :meth:`release`.
+
+        Raises
+        ------
+        InvalidInputError
+            If the bench is in use with other options than those that ``url`` names.
+        """
+        wanted = SimUrl.parse(url)
+        with cls._registry_lock:
+            bench = cls._registry.get(wanted.name)
+            if bench is None:
+                bench = cls._registry[wanted.name] = cls(wanted)
+            else:
+                bench.url.check_agrees(wanted)
+            bench._users += 1
+            return bench
+
+    def release(self) -> None:
+        """Give the bench back; the last one switches it off."""
+        with self._registry_lock, self._changed:
+            self._users -= 1
+            if self._users == 0:
+                del self._registry[self.url.name]
+                self._firmware.close()
+                self._renderer = None
+
+    # --- time ---
+
+    def wait(self, ready: Callable[[], bool], timeout_us: int | None) -> bool:
+        """Let the clock run until ``ready()`` or for ``timeout_us`` (None: for ever).
+
+        ``ready`` is called with the bench's lock held.  Returns what it said last.
+        """
+        with self._changed:
+            self._catch_up()
+            deadline_us = NEVER_US if timeout_us is None else self.time_us + timeout_us
+        while True:
+            with self._changed:
+                self._catch_up()
+                if ready():
+                    return True
+                if self.time_us >= deadline_us:
+                    return False
+                if self._clock.real:
+                    ahead_us = min(deadline_us, self._next_event_us()) - self._clock.due_us()
+                    self._changed.wait(min(max(ahead_us, 0) / US_PER_S, _NAP_S))
+                elif deadline_us == NEVER_US and self._next_event_us() == NEVER_US:
+                    self._changed.wait(_NAP_S)
+                else:
+                    self._step(deadline_us)
+
+    def poll(self) -> None:
+        """The host looked without waiting."""
+        with self._changed:
+            self._spend(POLL_US)
+
+    def _spend(self, duration_us: int) -> None:
+        """Let time go by for what the host does."""
+        until_us = self.time_us if self._clock.real else self.time_us + duration_us
+        self._catch_up()
+        while self.time_us < until_us:
+            self._step(until_us)
+
+    def _catch_up(self) -> None:
+        """Under real time: run up to what the wall says."""
+        due_us = self._clock.due_us()
+        while self.time_us < due_us:
+            self._step(due_us)
+
+    def _next_event_us(self) -> int:
+        times = [self.shutter.next_event_us, self.cable.next_event_us, self._brown_out_us]
+        if not self._halted:
+            times.append(self._firmware.next_wakeup_us())
+        return min(times)
+
+    def _step(self, limit_us: int) -> None:
+        """Run to the next event, at most to ``limit_us``, at least by 1 us."""
+        time_us = min(limit_us, max(self._next_event_us(), self.time_us + 1))
+        if not self._halted:
+            self._firmware.run_until(time_us)
+        self.time_us = time_us
+        self._clock.advance_to(time_us)
+        self._observe_lines()
+        if time_us >= self._brown_out_us:
+            self._brown_out_us = NEVER_US
+            self._firmware.reset(ResetCause.BROWN_OUT, self._next_nonce())
+            self._observe_lines()
+        self.shutter.run_until(time_us)
+        self._drive_inputs()
+        if not self._halted:
+            self.cable.exchange(time_us, self._firmware)
+        needed_us = self.shutter.needs_from_us
+        history_us = time_us if needed_us is None else needed_us
+        self.glass.forget_before(history_us)
+        self.leds.forget_before(history_us)
+        self._changed.notify_all()
+
+    @property
+    def _halted(self) -> bool:
+        return self._stalled or self._in_bootloader
+
+    # --- wires ---
+
+    def _observe_lines(self) -> None:
+        for record in self._firmware.trace():
+            match record.kind:
+                case TraceKind.SPI:
+                    self.display.feed(record.argument, record.payload)
+                    self.glass.drive(record.time_us, self.display.driven())
+                case TraceKind.LED:
+                    self.leds.set_level(record.time_us, record.argument, record.level)
+                case TraceKind.PIN:
+                    self._pin(record)
+                case TraceKind.BOOTLOADER:
+                    self._in_bootloader = True
+                    self.cable.broken = True
+                case TraceKind.OVERFLOW:
+                    raise RuntimeError("the firmware's trace was not read in time")
+                case TraceKind.NONVOLATILE:
+                    pass
+
+    def _pin(self, record: TraceRecord) -> None:
+        match record.argument:
+            case OutputPin.LCD_RESET:
+                self.display.set_reset(record.level)
+                self.glass.drive(record.time_us, self.display.driven())
+            case OutputPin.LCD_SELECT:
+                self.display.set_select(record.level)
+            case OutputPin.CAMERA_TRIGGER:
+                if record.level and not self._trigger_level:
+                    self._pulse(record.time_us)
+                self._trigger_level = record.level
+
+    def _pulse(self, time_us: int) -> None:
+        number = self.shutter.pulses
+        # What happened before the pulse belongs before it: a frame that was read out frees the sensor.
+        self.shutter.run_until(time_us)
+        self.shutter.pulse(time_us)
+        if number in self.faults.reset_at:
+            self._brown_out_us = time_us + self.shutter.exposure_us // 2
+        if number in self.faults.stall_at:
+            self._stalled = True
+        if number in self.faults.link_cut:
+            self.cable.broken = True
+
+    def _drive_inputs(self) -> None:
+        levels = {
+            InputLine.CAMERA_STROBE: self.shutter.strobe,
+            InputLine.CAMERA_READY: self.shutter.ready(self.time_us),
+        }
+        for line, level in levels.items():
+            if self._inputs.get(line) is not level:
+                self._inputs[line] = level
+                self._firmware.set_input(line, level)
+
+    def _next_nonce(self) -> int:
+        """Differs from boot to boot; never 0."""
+        self._boots += 1
+        nonce = zlib.crc32(f"{self.url.name} {self.url.seed} {self._boots}".encode())
+        return nonce or 1
+
+    # --- the device's face ---
+
+    def open_port(self) -> bool:
+        """Take the serial port; False if somebody has it."""
+        with self._changed:
+            if self.cable.host_open:
+                return False
+            self._catch_up()
+            if self._in_bootloader:
+                self._in_bootloader = False
+                self._firmware.reset(ResetCause.BOOTLOADER, self._next_nonce())
+            self.cable.plug_in()
+            return True
+
+    def close_port(self) -> None:
+        """Let go of the serial port."""
+        with self._changed:
+            self.cable.unplug()
+            self._changed.notify_all()
+
+    def send(self, data: bytes, timeout_us: int | None) -> bool:
+        """Bytes from the host; False if the device did not take them in time."""
+        with self._changed:
+            self._catch_up()
+            self.cable.send(self.time_us, data)
+            self._spend(len(data) * BYTE_US)
+            if self._clock.real and not self._halted:
+                self.cable.exchange(self.time_us, self._firmware)
+            self._changed.notify_all()
+        return self.wait(lambda: self.cable.unsent <= WRITE_AHEAD or self.cable.broken, timeout_us)
+
+    def receive(self, size: int, timeout_us: int | None, cancelled: Callable[[], bool]) -> bytes:
+        """Up to ``size`` bytes from the device, fewer when time is up."""
+        if timeout_us == 0:
+            self.poll()
+        self.wait(
+            lambda: len(self.cable.received) >= size or self.cable.broken or cancelled(),
+            timeout_us,
+        )
+        with self._changed:
+            data = bytes(self.cable.received[:size])
+            del self.cable.received[: len(data)]
+            self._spend(len(data) * BYTE_US)
+            return data
+
+    def wake(self) -> None:
+        """Let waits look again whether they were cancelled."""
+        with self._changed:
+            self._changed.notify_all()
+
+    # --- the camera's face ---
+
+    def open_camera(self) -> None:
+        """Take the camera; the first time, the scene is set up."""
+        with self._changed:
+            if self._camera_open:
+                raise CameraBusyError(
+                    f"The camera of the simulated instrument `{self.url.name}` is already open.",
+                    hint="Close the other program or object that holds it.",
+                )
+            self._camera_open = True
+        try:
+            self.set_up_scene()
+        except BaseException:
+            self.close_camera()
+            raise
+
+    def close_camera(self) -> None:
+        """Let go of the camera."""
+        with self._changed:
+            self.shutter.disarm()
+            self._camera_open = False
+
+    def configure_camera(self, exposure_us: int, *, triggered: bool) -> None:
+        """Exposure time and mode."""
+        with self._changed:
+            self._check_camera()
+            if self.shutter.armed:
+                raise CameraBusyError(
+                    "Settings cannot change while the camera is armed.", hint="Disarm it first."
+                )
+            self.shutter.configure(exposure_us, triggered=triggered)
+
+    def arm_camera(self) -> None:
+        """Take pulses, or start free-running, from now on."""
+        with self._changed:
+            self._catch_up()
+            self._check_camera()
+            self.shutter.arm(self.time_us)
+            self._drive_inputs()
+
+    def disarm_camera(self) -> None:
+        """Stop."""
+        with self._changed:
+            self._catch_up()
+            self.shutter.disarm()
+            self._drive_inputs()
+
+    def next_exposure(self, timeout_us: int) -> Exposure | None:
+        """The next frame to have arrived, not rendered yet; None if none came in time."""
+        if timeout_us == 0:
+            self.poll()
+        found: list[Exposure] = []
+
+        def fetched() -> bool:
+            exposure = self.shutter.fetch()
+            if exposure is not None:
+                found.append(exposure)
+                return True
+            return self.shutter.unplugged or not self.shutter.armed
+
+        self.wait(fetched, timeout_us)
+        if found:
+            return found[0]
+        with self._changed:
+            self._check_camera()
+            if not self.shutter.armed:
+                raise CameraError(
+                    "The camera is not armed, so no frame can come.", hint="Arm it first."
+                )
+        return None
+
+    def _check_camera(self) -> None:
+        if self.shutter.unplugged:
+            raise CameraLostError(
+                f"The camera of the simulated instrument `{self.url.name}` is gone.",
+                hint="Plug it in (open the instrument without fault=camera_unplug), then resume.",
+            )
+
+    def set_up_scene(self) -> Renderer:
+        """The renderer of this bench's scene, made when first needed."""
+        with self._render_lock:
+            if self._renderer is None:
+                scene = load_scene(
+                    self.url.scene,
+                    self.url.seed,
+                    dict(self.url.scene_options),
+                    shape=self.profile.shape,
+                    pixel_um=self.profile.pixel_um,
+                )
+                self._renderer = Renderer(self.profile, scene, self.as_built, self.profile.shape)
+            return self._renderer
+
+    def render(self, exposure: Exposure) -> RawImage:
+        """The picture (H, W) that the sensor took."""
+        renderer = self.set_up_scene()
+        with self._render_lock:
+            raw: RawImage = renderer.expose(
+                exposure.transmission,
+                exposure.led_energy,
+                exposure.exposure_us / US_PER_S,
+                (self.url.seed, exposure.glass_key, exposure.light_key, exposure.repeat),
+            )
+        return raw

@@ -1,0 +1,1 @@
+"""Package in which pyserial finds the handler of ``sim://`` addresses."""

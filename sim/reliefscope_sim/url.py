@@ -1,0 +1,206 @@
+"""The address of a simulated instrument.
+
+``sim://NAME?KEY=VALUE&...`` names a bench; device and camera with the same NAME share it.  NAME gives the
+profile where it is the name of one (``sim://benchtop``, ``sim://miniature``); other names need ``profile=`` or
+get the benchtop.  Keys: see :data:`KEYS`; what begins with ``scene.`` goes to the scene by the name behind the
+dot (``scene.tilt_deg=10``).
+"""
+
+from __future__ import annotations
+
+import difflib
+import re
+from dataclasses import dataclass, field
+from typing import Literal, cast
+from urllib.parse import parse_qsl, urlsplit
+
+from reliefscope.errors import InvalidInputError
+from reliefscope.models.instrument import InstrumentProfile, builtin_profiles, load_profile
+from reliefscope_sim.as_built import AsBuilt
+from reliefscope_sim.clock import TimeMode
+from reliefscope_sim.display import Mounting
+from reliefscope_sim.faults import Faults
+
+SCHEME = "sim"
+DEFAULT_PROFILE = "benchtop"
+KEYS = {
+    "scene": "what lies under the instrument (default: fiducial)",
+    "finish": "surface of the scene: dull, half or metallic (where the scene has finishes)",
+    "seed": "seed of everything random (default: 1)",
+    "profile": "instrument profile by name or path",
+    "as_built": "seed of hidden departures from the profile (default: none)",
+    "calibration": "factory (default: knows the departures) or nominal (has to be found)",
+    "size": "region that the camera reads out, COLUMNSxROWS",
+    "time": "virtual (default: as fast as frames can be rendered) or real",
+    "glass": "variant of the glass that is fitted, E or S (default: the profile's)",
+    "mounting": "how the glass sits: bottom_view (default) or top_view",
+    "fault": "what goes wrong, as in fault=link_loss:0.05,camera_drop:3",
+}
+
+
+@dataclass(frozen=True)
+class SimUrl:
+    """A parsed address.  ``given`` holds the options as they were written, for comparing two addresses."""
+
+    name: str
+    scene: str = "fiducial"
+    scene_options: tuple[tuple[str, str], ...] = ()
+    seed: int = 1
+    profile: str = DEFAULT_PROFILE
+    as_built: int | None = None
+    calibration: Literal["factory", "nominal"] = "factory"
+    size: tuple[int, int] | None = None
+    """(columns, rows)."""
+    time: TimeMode = "virtual"
+    glass: Literal["E", "S"] | None = None
+    mounting: Mounting = Mounting.BOTTOM_VIEW
+    faults: Faults = field(default_factory=Faults)
+    given: tuple[tuple[str, str], ...] = ()
+
+    @classmethod
+    def parse(cls, url: str) -> SimUrl:
+        """Read ``url``.
+
+        Raises
+        ------
+        InvalidInputError
+            If it is no address of a simulated instrument, or an option is unknown, doubled or malformed.
+        """
+        parts = urlsplit(url)
+        name = parts.netloc
+        if parts.scheme.lower() != SCHEME or not re.fullmatch(r"[\w.-]+", name) or parts.path:
+            raise InvalidInputError(
+                f"`{url}` is no address of a simulated instrument.",
+                hint="Write sim://NAME?KEY=VALUE&..., for example "
+                "`sim://benchtop?scene=fiducial&seed=1`.",
+            )
+        options: dict[str, str] = {}
+        for key, value in parse_qsl(parts.query, keep_blank_values=True):
+            if key not in KEYS and not key.startswith("scene."):
+                raise _unknown_key(key)
+            if key == "fault" and key in options:
+                options[key] += f",{value}"
+            elif key in options:
+                raise InvalidInputError(
+                    f"`{key}` occurs twice in `{url}`.", hint="Give every option once."
+                )
+            else:
+                options[key] = value
+        return cls._from_options(name, options)
+
+    @classmethod
+    def _from_options(cls, name: str, options: dict[str, str]) -> SimUrl:
+        scene_options = {
+            key.removeprefix("scene."): value
+            for key, value in options.items()
+            if key.startswith("scene.")
+        }
+        if "finish" in options:
+            scene_options["finish"] = options["finish"]
+        default_profile = name if name in builtin_profiles() else DEFAULT_PROFILE
+        glass = _choice("glass", options, ("E", "S")) if "glass" in options else None
+        as_built = _whole("as_built", options["as_built"]) if "as_built" in options else None
+        return cls(
+            name=name,
+            scene=options.get("scene", "fiducial"),
+            scene_options=tuple(sorted(scene_options.items())),
+            seed=_whole("seed", options.get("seed", "1")),
+            profile=options.get("profile", default_profile),
+            as_built=as_built,
+            calibration=cast(
+                Literal["factory", "nominal"],
+                _choice("calibration", options, ("factory", "nominal")),
+            ),
+            size=_size(options["size"]) if "size" in options else None,
+            time=cast(TimeMode, _choice("time", options, ("virtual", "real"))),
+            glass=cast(Literal["E", "S"] | None, glass),
+            mounting=Mounting(_choice("mounting", options, [item.value for item in Mounting])),
+            faults=Faults.parse(options.get("fault", "")),
+            given=tuple(sorted(options.items())),
+        )
+
+    def load_profile(self) -> InstrumentProfile:
+        """The profile as designed, with the glass and the region of the camera that the address names."""
+        profile = load_profile(self.profile)
+        if self.glass is not None:
+            glass = profile.glass.model_copy(update={"variant": self.glass})
+            profile = profile.model_copy(update={"glass": glass})
+        if self.size is None:
+            return profile
+        columns, rows = self.size
+        limit = (profile.camera.columns, profile.camera.rows)
+        if not (16 <= columns <= limit[0] and 16 <= rows <= limit[1]):
+            raise InvalidInputError(
+                f"The camera of {profile.name} cannot read out {columns}x{rows} pixels.",
+                hint=f"Choose a size from 16x16 to {limit[0]}x{limit[1]}.",
+            )
+        if profile.camera.sensor == "bayer_rggb" and (columns % 2 or rows % 2):
+            raise InvalidInputError(
+                f"A region of {columns}x{rows} pixels cuts through the colour mosaic.",
+                hint="Give even numbers of columns and rows.",
+            )
+        return profile.resized(columns, rows)
+
+    def load_as_built(self, profile: InstrumentProfile) -> AsBuilt:
+        """How the instrument of this address really is."""
+        if self.as_built is None:
+            return AsBuilt.nominal(profile)
+        return AsBuilt.draw(profile, self.as_built)
+
+    def check_agrees(self, later: SimUrl) -> None:
+        """Raise InvalidInputError if ``later`` asks the bench of this address for something else."""
+        conflicts = [
+            f"{key}={value}"
+            for key, value in later.given
+            if self._resolved(key) != later._resolved(key)
+        ]
+        if conflicts:
+            raise InvalidInputError(
+                f"The simulated instrument `{self.name}` is already in use, and without "
+                f"{', '.join(conflicts)}.",
+                hint="Open device and camera with the same options, or choose another NAME.",
+            )
+
+    def _resolved(self, key: str) -> object:
+        """What holds for an option, whether it was written or not."""
+        if key in _FIELD_OF_KEY:
+            return getattr(self, _FIELD_OF_KEY[key])
+        return dict(self.scene_options).get(key.removeprefix("scene."))
+
+
+_FIELD_OF_KEY = {key: "faults" if key == "fault" else key for key in KEYS if key != "finish"}
+
+
+def _unknown_key(key: str) -> InvalidInputError:
+    nearest = difflib.get_close_matches(key, KEYS, n=1)
+    advice = f"Did you mean `{nearest[0]}`? " if nearest else ""
+    return InvalidInputError(
+        f"A simulated instrument has no option `{key}`.",
+        hint=f"{advice}Known options: {', '.join(KEYS)}, and scene.NAME for the scene.",
+    )
+
+
+def _choice(key: str, options: dict[str, str], known: list[str] | tuple[str, ...]) -> str:
+    value = options.get(key, known[0])
+    if value not in known:
+        raise InvalidInputError(
+            f"`{key}={value}` is not possible.", hint=f"Choose one of: {', '.join(known)}."
+        )
+    return value
+
+
+def _whole(key: str, value: str) -> int:
+    if not re.fullmatch(r"\d{1,9}", value):
+        raise InvalidInputError(
+            f"`{key}={value}` is no seed.", hint=f"Give a whole number from 0 on, as in {key}=1."
+        )
+    return int(value)
+
+
+def _size(value: str) -> tuple[int, int]:
+    match = re.fullmatch(r"(\d{1,5})x(\d{1,5})", value)
+    if match is None:
+        raise InvalidInputError(
+            f"`size={value}` is no size.", hint="Write COLUMNSxROWS, as in size=640x480."
+        )
+    return int(match[1]), int(match[2])
