@@ -110,7 +110,9 @@ def _bad_payloads(schema: Schema) -> Iterator[Vector]:
     for layout in schema.messages:
         values = _values(schema, layout, "typical")
         payload = _pack(schema, layout, values)
-        yield _vector(schema, f"{layout.name}_too_long", layout, payload + b"\x01", "bad_length")
+        if len(payload) < schema.max_payload:  # else the frame itself would be too long
+            longer = payload + b"\x01"
+            yield _vector(schema, f"{layout.name}_too_long", layout, longer, "bad_length")
         if payload:
             yield _vector(schema, f"{layout.name}_too_short", layout, payload[:-1], "bad_length")
         for index, field in enumerate(layout.fields):
@@ -128,7 +130,8 @@ def _bad_frames(schema: Schema) -> Iterator[Vector]:
     yield raw("empty", "empty", b"")
     yield raw("crc_flipped", "crc", stuff(good[:-1] + bytes([good[-1] ^ 0x10])))
     yield raw("payload_flipped", "crc", stuff(bytes([good[0] ^ 1]) + good[1:]))
-    yield raw("truncated", "crc", stuff(good[:-1]))
+    yield raw("truncated", "crc", stuff(_frame(schema, 0x3F, 7, b"\1\2\3")[:-1]))
+    yield raw("truncated_to_less_than_a_frame", "framing", stuff(good[:-1]))
     yield raw("too_short", "framing", stuff(good[:5] + crc32(good[:5]).to_bytes(4, "little")))
     yield raw("one_byte", "framing", stuff(b"\x01"))
     yield raw("length_above", "framing", stuff(_frame(schema, 0x03, 7, b"\1\2", length=3)))

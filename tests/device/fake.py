@@ -110,10 +110,8 @@ class FakeDevice:
         self.executed[frame.request_id] += 1
         self.highest = frame.request_id
         self.requests.append(request)
-        if self.fail_with is not None:
-            reply = m.Failed(self.fail_with, frame.message, 1)
-        else:
-            reply = self.reply(request)
+        failed = self.fail_with and m.Failed(self.fail_with, frame.message, 1)
+        reply = failed or self.reply(request)
         answer = self.answer(frame, reply)
         self.ring[frame.request_id] = (zlib.crc32(frame.encode()), answer)
         while len(self.ring) > RING:
