@@ -33,6 +33,14 @@ class EventQueue {
     return true;
   }
 
+  // Puts a message into the newest place of a full queue, and on the wire again.
+  template <class M>
+  void replace_newest(const M& message) {
+    --next_;
+    send_ = send_ - oldest_ > kept() ? next_ : send_;
+    push(message);
+  }
+
   bool room_for_exposure() const { return kept() + wire::kEventReserve < wire::kEventQueue; }
   std::uint32_t oldest() const { return oldest_; }
   std::uint32_t next() const { return next_; }
@@ -47,6 +55,9 @@ class EventQueue {
     if (resend || send_ - oldest_ > kept()) {
       send_ = oldest_;
     }
+    if (first_unsent_ - oldest_ > kept()) {
+      first_unsent_ = oldest_;
+    }
     return true;
   }
 
@@ -59,6 +70,7 @@ class EventQueue {
     number = send_++;
     if (number == first_unsent_) {
       ++first_unsent_;
+      ++sent_;
     } else {
       ++resent_;
     }
@@ -66,7 +78,7 @@ class EventQueue {
   }
   bool pending() const { return send_ != next_; }
 
-  std::uint32_t sent() const { return first_unsent_; }
+  std::uint32_t sent() const { return sent_; }
   std::uint32_t resent() const { return resent_; }
 
  private:
@@ -79,6 +91,7 @@ class EventQueue {
   std::uint32_t next_ = 0;
   std::uint32_t send_ = 0;          // next to put on the wire
   std::uint32_t first_unsent_ = 0;  // below it, everything was on the wire once
+  std::uint32_t sent_ = 0;
   std::uint32_t resent_ = 0;
 };
 

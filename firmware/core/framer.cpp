@@ -39,10 +39,10 @@ std::size_t cobs_encode(const std::uint8_t* bytes, std::size_t count, std::uint8
 
 std::size_t frame_encode(std::uint8_t* body, std::size_t count, std::uint8_t* out) {
   const std::uint32_t crc = crc32(body, count);
-  for (std::size_t i = 0; i < kCrcBytes; ++i) {
+  for (std::size_t i = 0; i < wire::kCrcSize; ++i) {
     body[count + i] = static_cast<std::uint8_t>(crc >> (8 * i));
   }
-  return cobs_encode(body, count + kCrcBytes, out);
+  return cobs_encode(body, count + wire::kCrcSize, out);
 }
 
 bool FrameReceiver::push(std::uint8_t byte) {
@@ -70,11 +70,11 @@ bool FrameReceiver::finish() {
     ++counters_.overruns;
     return false;
   }
-  if (block_left_ != 0 || size_ < kCrcBytes) {
+  if (block_left_ != 0 || size_ < wire::kHeaderSize + wire::kCrcSize) {
     ++counters_.framing_errors;
     return false;
   }
-  body_size_ = size_ - kCrcBytes;
+  body_size_ = size_ - wire::kCrcSize;
   crc_ = crc32(buffer_, body_size_);
   if (crc_ != read_u32(buffer_ + body_size_)) {
     ++counters_.crc_errors;

@@ -9,10 +9,9 @@
 #include <cstdint>
 
 #include "core/crc32.hpp"
+#include "core/generated/protocol.hpp"
 
 namespace reliefscope {
-
-constexpr std::size_t kCrcBytes = 4;
 
 // Bytes of COBS for n bytes of data, and the 0x00 that ends the frame.
 constexpr std::size_t cobs_frame_size(std::size_t n) {
@@ -22,8 +21,8 @@ constexpr std::size_t cobs_frame_size(std::size_t n) {
 // Encodes count bytes and ends them with 0x00; out holds cobs_frame_size(count). Returns bytes.
 std::size_t cobs_encode(const std::uint8_t* bytes, std::size_t count, std::uint8_t* out);
 
-// Adds the CRC to a body of count bytes (which needs kCrcBytes of room behind it) and encodes it;
-// out holds cobs_frame_size(count + kCrcBytes). Returns bytes.
+// Adds the CRC to a body of count bytes (which needs wire::kCrcSize of room behind it) and encodes it;
+// out holds cobs_frame_size(count + wire::kCrcSize). Returns bytes.
 std::size_t frame_encode(std::uint8_t* body, std::size_t count, std::uint8_t* out);
 
 struct FramerCounters {

@@ -180,7 +180,9 @@ void Instrument::latch(FaultReason reason, std::uint32_t detail) {
     event.step = sequencer_.active() ? sequencer_.step_index() : 0;
     event.at_us = hal_.now_us();
     event.detail = detail;
-    events_.push(event);  // a full queue loses the event, not the fault: status tells it
+    if (!events_.push(event)) {
+      events_.replace_newest(event);
+    }
   }
   sequencer_.abort();
   sequencer_.take_event_lost();  // the latch tells more than its event would

@@ -5,8 +5,9 @@
 namespace reliefscope {
 namespace {
 
-// Ids from here on are answers; a device gets them only from its own echo.
-constexpr std::uint8_t kFirstAnswer = 0x80;
+// Ids from here on are events and answers. A device gets them only as its own echo (a terminal that
+// is not yet in raw mode); answering an echo would never end.
+constexpr std::uint8_t kFirstEvent = 0x40;
 
 }  // namespace
 
@@ -60,14 +61,13 @@ bool Link::send_event() {
 
 void Link::serve(const std::uint8_t* body, std::size_t size) {
   wire::Header header;
-  if (size < wire::kHeaderSize ||
-      wire::decode(header, body, wire::kHeaderSize).code != wire::ErrorCode::kOk ||
+  if (wire::decode(header, body, wire::kHeaderSize).code != wire::ErrorCode::kOk ||
       header.length != size - wire::kHeaderSize) {
     receiver_.count_framing_error();
     return;
   }
   instrument_.link_heard();
-  if (header.message >= kFirstAnswer) {
+  if (header.message >= kFirstEvent) {
     ++state_.rejected;
     return;
   }
