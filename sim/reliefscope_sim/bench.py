@@ -10,7 +10,7 @@ from __future__ import annotations
 import threading
 import zlib
 from collections.abc import Callable
-from typing import ClassVar
+from typing import TYPE_CHECKING, ClassVar
 
 from reliefscope.errors import CameraError
 from reliefscope.models.camera import CameraBusyError, CameraLostError
@@ -23,11 +23,12 @@ from reliefscope_sim.firmware import NEVER_US, Firmware
 from reliefscope_sim.glass import Glass
 from reliefscope_sim.lights import LedLines
 from reliefscope_sim.link import BYTE_US, WRITE_AHEAD, Cable
-from reliefscope_sim.optics import Renderer
-from reliefscope_sim.scenes import load_scene
 from reliefscope_sim.shutter import Exposure, Shutter
 from reliefscope_sim.trace import InputLine, OutputPin, TraceKind, TraceRecord
 from reliefscope_sim.url import SimUrl
+
+if TYPE_CHECKING:
+    from reliefscope_sim.optics import Renderer
 
 POLL_US = 100
 """Time that looking for bytes or frames without waiting takes; a host that polls lets the clock run too."""
@@ -374,6 +375,10 @@ class Bench:
 
     def set_up_scene(self) -> Renderer:
         """The renderer of this bench's scene, made when first needed."""
+        # Late: who only talks to the device does not wait for numba.
+        from reliefscope_sim.optics import Renderer
+        from reliefscope_sim.scenes import load_scene
+
         with self._render_lock:
             if self._renderer is None:
                 scene = load_scene(

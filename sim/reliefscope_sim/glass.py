@@ -97,8 +97,7 @@ class Glass:
 
     def _relaxed(self, span: _Span, time_us: int) -> _State:
         decay, rise = (math.exp(-(time_us - span.start_us) / tau) for tau in self._tau_us)
-        distance: _State = span.aligned - span.driven
-        distance *= np.where(span.driven, rise, decay)
+        distance: _State = (span.aligned - span.driven) * np.where(span.driven, rise, decay)
         distance[np.abs(distance) < SETTLED] = 0.0
         return span.driven + distance
 
@@ -107,8 +106,8 @@ class Glass:
         duration = until_us - since_us
         weights = [tau * -math.expm1(-duration / tau) for tau in self._tau_us]
         distance = self._relaxed(span, since_us) - span.driven
-        result: _State = span.driven * float(duration)
-        result += distance * np.where(span.driven, weights[1], weights[0])
+        lag = distance * np.where(span.driven, weights[1], weights[0])
+        result: _State = span.driven * float(duration) + lag
         return result
 
     def _light(self, aligned: _State) -> FloatImage:

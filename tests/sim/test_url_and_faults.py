@@ -1,0 +1,134 @@
+"""Addresses of simulated instruments, and the grammar of faults."""
+
+import pytest
+
+from reliefscope.errors import InvalidInputError
+from reliefscope_sim.display import Mounting
+from reliefscope_sim.faults import KNOWN, Faults, FaultyWire
+from reliefscope_sim.url import KEYS, SimUrl
+
+
+def test_name_gives_its_profile():
+    assert SimUrl.parse("sim://miniature").load_profile().name == "miniature"
+    assert SimUrl.parse("sim://left-bench").load_profile().name == "benchtop"
+    assert SimUrl.parse("sim://left?profile=miniature").load_profile().name == "miniature"
+
+
+def test_every_option():
+    url = SimUrl.parse(
+        "sim://benchtop?scene=plane&scene.tilt_deg=10&finish=dull&seed=5&as_built=9&size=96x72"
+        "&time=real&glass=E&mounting=top_view&fault=camera_drop:3&fault=link_loss:0.5"
+        "&calibration=nominal&profile=benchtop"
+    )
+    assert {key for key, _ in url.given} - {"scene.tilt_deg"} == set(KEYS)
+    assert (url.scene, url.seed, url.as_built, url.size) == ("plane", 5, 9, (96, 72))
+    assert dict(url.scene_options) == {"tilt_deg": "10", "finish": "dull"}
+    assert (url.time, url.mounting) == ("real", Mounting.TOP_VIEW)
+    assert url.faults == Faults(link_loss=0.5, camera_drop=frozenset({3}))
+    profile = url.load_profile()
+    assert profile.shape == (72, 96)
+    assert profile.glass.variant == "E"
+
+
+@pytest.mark.parametrize(
+    ("url", "named"),
+    [
+        ("sim://", "address"),
+        ("sim://a b", "address"),
+        ("sim://benchtop/path", "address"),
+        ("socket://benchtop", "address"),
+        ("sim://benchtop?sead=1", "did you mean `seed`"),
+        ("sim://benchtop?seed=x", "seed"),
+        ("sim://benchtop?seed=1&seed=2", "twice"),
+        ("sim://benchtop?size=96", "96x72|COLUMNSxROWS"),
+        ("sim://benchtop?time=slow", "virtual, real"),
+        ("sim://benchtop?glass=W", "E, S"),
+        ("sim://benchtop?mounting=side", "bottom_view, top_view"),
+        ("sim://benchtop?fault=gremlin:1", "link_loss"),
+        ("sim://benchtop?fault=link_los:0.1", "did you mean `link_loss`"),
+        ("sim://benchtop?fault=link_loss:2", "probability"),
+        ("sim://benchtop?fault=link_loss", "NUMBER"),
+        ("sim://benchtop?fault=camera_drop:1.5", "whole number"),
+        ("sim://benchtop?fault=camera_drop:-1", "NUMBER"),
+    ],
+)
+def test_wrong_addresses_are_refused_with_advice(url, named):
+    with pytest.raises(InvalidInputError, match=f"(?i){named}"):
+        SimUrl.parse(url)
+
+
+@pytest.mark.parametrize("size", ["8x8", "4000x72", "97x72"])
+def test_impossible_sizes_are_refused(size):
+    with pytest.raises(InvalidInputError, match="even|size from"):
+        SimUrl.parse(f"sim://benchtop?size={size}").load_profile()
+
+
+def test_addresses_agree_by_meaning():
+    first = SimUrl.parse("sim://benchtop?size=96x72&scene.a=1&finish=dull")
+    first.check_agrees(SimUrl.parse("sim://benchtop"))
+    first.check_agrees(SimUrl.parse("sim://benchtop?seed=1&scene=fiducial&finish=dull&scene.a=1"))
+    for other in ("seed=2", "size=96x64", "scene.a=2", "finish=half", "fault=camera_drop:1"):
+        with pytest.raises(InvalidInputError, match="already in use"):
+            first.check_agrees(SimUrl.parse(f"sim://benchtop?{other}"))
+
+
+def test_every_documented_fault_is_understood():
+    for name in KNOWN:
+        faults = Faults.parse(f"{name}:1")
+        field = "link_delay_us" if name == "link_delay" else name
+        assert getattr(faults, field) not in (0, frozenset())
+
+
+FRAMES = [bytes([1 + n % 250, 2, 3, 4, 5, 0]) for n in range(2000)]
+
+
+def carried(text, seed="s", delays=True):
+    wire = FaultyWire(Faults.parse(text), seed, delays=delays)
+    return [item for n, frame in enumerate(FRAMES) for item in wire.feed(10 * n, frame)]
+
+
+def test_sound_wire_changes_nothing():
+    assert carried("") == [(10 * n, frame) for n, frame in enumerate(FRAMES)]
+
+
+def test_lost_frames_are_whole_and_as_many_as_asked_for():
+    arrived = [data for _, data in carried("link_loss:0.2")]
+    assert set(arrived) <= set(FRAMES)
+    assert len(arrived) / len(FRAMES) == pytest.approx(0.8, abs=0.04)
+
+
+def test_flips_change_one_bit_of_as_many_bytes_as_asked_for():
+    sent, got = b"".join(FRAMES), b"".join(data for _, data in carried("link_flip:0.05"))
+    changed = [a ^ b for a, b in zip(sent, got, strict=True) if a != b]
+    assert len(changed) / len(sent) == pytest.approx(0.05, abs=0.01)
+    assert all(bits.bit_count() == 1 for bits in changed)
+
+
+def test_drops_and_duplicates_change_the_length():
+    length = len(b"".join(FRAMES))
+    dropped = sum(len(data) for _, data in carried("link_drop:0.1"))
+    doubled = sum(len(data) for _, data in carried("link_duplicate:0.1"))
+    assert dropped / length == pytest.approx(0.9, abs=0.02)
+    assert doubled / length == pytest.approx(1.1, abs=0.02)
+
+
+def test_delays_keep_the_order():
+    arrivals = carried("link_delay:5")
+    times = [time for time, _ in arrivals]
+    assert times == sorted(times)
+    assert [data for _, data in arrivals] == FRAMES
+    assert max(time - 10 * n for n, time in enumerate(times)) > 1000
+
+
+def test_faults_come_from_the_seed():
+    text = "link_loss:0.1,link_flip:0.01,link_delay:3"
+    assert carried(text) == carried(text)
+    assert carried(text) != carried(text, seed="t")
+
+
+def test_a_frame_in_pieces_is_lost_as_a_whole():
+    whole, pieces = (FaultyWire(Faults.parse("link_loss:0.3"), "s", delays=True) for _ in "ab")
+    for frame in FRAMES[:200]:
+        first = b"".join(data for _, data in whole.feed(0, frame))
+        second = b"".join(d for byte in frame for _, d in pieces.feed(0, bytes([byte])))
+        assert first == second
