@@ -1,0 +1,234 @@
+"""Bringing frames to the virtual view s = 0 by the height of the surface.
+
+A surface point at ``(x, y)`` with height z appears in the view ``s`` at ``(x - z sx, y - z sy)``
+(:mod:`reliefscope.axes`), so the frame is sampled there.  A point is hidden in that view where a higher
+part of the surface lies on its ray ``(x + t sx, y + t sy, z + t)``.
+"""
+
+from __future__ import annotations
+
+import math
+from typing import Literal
+
+import numpy as np
+from numba import njit
+from numpy.typing import ArrayLike, NDArray
+
+from reliefscope.axes import apparent_shift_px
+from reliefscope.errors import InvalidInputError
+from reliefscope.jobs import Job, ensure_job
+from reliefscope.reconstruction import tiles
+from reliefscope.units import BoolImage, FloatImage
+
+Interpolation = Literal["linear", "cubic"]
+STRIP_ROWS = 64
+VISIBILITY_TOLERANCE_UM = 2.0
+"""Height by which a surface must rise above a ray to hide a point: the noise of heights, not an edge."""
+
+
+def to_reference(
+    images: FloatImage,
+    slopes: ArrayLike,
+    height_um: FloatImage,
+    pixel_um: float,
+    *,
+    interpolation: Interpolation = "cubic",
+    visible: BoolImage | None = None,
+    job: Job | None = None,
+) -> FloatImage:
+    """Frames of K views as the view s = 0 would see them.
+
+    Parameters
+    ----------
+    images:
+        (K, H, W) frames, one per view.
+    slopes:
+        (K, 2) slopes ``(sx, sy)``, y up.
+    height_um:
+        (H, W) height in the view s = 0; NaN is missing.
+    pixel_um:
+        Sampling distance in the focal plane.
+    interpolation:
+        ``cubic`` convolution (Keys, a = -1/2; at the border the outer taps repeat it) or ``linear``.
+    visible:
+        (K, H, W) mask such as :func:`visibility` gives; what is hidden becomes NaN.
+    job:
+        Progress (stage ``register``, per view and strip of rows) and cancellation.
+
+    Returns
+    -------
+    (K, H, W) float32; NaN where the height is missing, the point falls outside the frame, or is hidden.
+    """
+    frames = np.ascontiguousarray(images, dtype=np.float32)
+    height, moves = _checked(frames.shape, slopes, height_um, pixel_um)
+    if visible is not None and visible.shape != frames.shape:
+        raise InvalidInputError(
+            f"A visibility mask {visible.shape} does not belong to frames {frames.shape}.",
+            hint="Make it from the same slopes and heights.",
+        )
+    out = np.empty(frames.shape, dtype=np.float32)
+
+    def work(item: tuple[int, tuple[int, int]]) -> None:
+        k, (first, stop) = item
+        resample(frames[k], height, *moves[k], interpolation == "cubic", first, stop, out[k])
+        if visible is not None:
+            out[k, first:stop][~visible[k, first:stop]] = np.nan
+
+    items = [(k, rows) for k in range(len(frames)) for rows in _strips(height)]
+    with ensure_job(job).stage("register", len(items)) as stage:
+        tiles.run_each(work, items, stage)
+    return out
+
+
+def visibility(
+    height_um: FloatImage,
+    slopes: ArrayLike,
+    pixel_um: float,
+    *,
+    tolerance_um: float = VISIBILITY_TOLERANCE_UM,
+    job: Job | None = None,
+) -> BoolImage:
+    """Whether each point of the surface is seen in each view (K, H, W).
+
+    The ray from the point toward the aperture is followed in steps of at most one pixel until it is above
+    the highest part of the surface; the point is hidden where the surface (linear between pixels) rises
+    more than ``tolerance_um`` above the ray.  Missing heights hide nothing and are not visible.
+    """
+    s = np.asarray(slopes, dtype=np.float64)
+    height, moves = _checked((len(s), *height_um.shape), slopes, height_um, pixel_um)
+    mask = np.empty((len(s), *height.shape), dtype=np.bool_)
+    known = np.isfinite(height)
+    top_um = float(height[known].max()) if known.any() else 0.0
+
+    def work(item: tuple[int, tuple[int, int]]) -> None:
+        k, (first, stop) = item
+        trace_visibility(height, *moves[k], top_um, tolerance_um, first, stop, mask[k])
+
+    items = [(k, rows) for k in range(len(s)) for rows in _strips(height)]
+    with ensure_job(job).stage("visibility", len(items)) as stage:
+        tiles.run_each(work, items, stage)
+    return mask
+
+
+@njit(cache=True, nogil=True, error_model="numpy")
+def _cubic_weights(t: float) -> tuple[float, float, float, float]:
+    return (
+        ((-0.5 * t + 1.0) * t - 0.5) * t,
+        (1.5 * t - 2.5) * t * t + 1.0,
+        ((-1.5 * t + 2.0) * t + 0.5) * t,
+        (0.5 * t - 0.5) * t * t,
+    )
+
+
+@njit(cache=True, nogil=True, error_model="numpy")
+def resample(
+    frame: FloatImage,
+    height: FloatImage,
+    cols_per_um: float,
+    rows_per_um: float,
+    cubic: bool,
+    first: int,
+    stop: int,
+    out: FloatImage,
+) -> None:
+    """Rows ``first`` to ``stop`` of ``out``: ``frame`` at ``(row + z rows_per_um, col + z cols_per_um)``."""
+    rows, cols = frame.shape
+    for r in range(first, stop):
+        for c in range(cols):
+            z = height[r, c]
+            y = r + z * rows_per_um
+            x = c + z * cols_per_um
+            if not (y >= 0.0 and y <= rows - 1 and x >= 0.0 and x <= cols - 1):
+                out[r, c] = np.nan
+                continue
+            top = min(int(y), max(rows - 2, 0))
+            left = min(int(x), max(cols - 2, 0))
+            down = min(top + 1, rows - 1)
+            right = min(left + 1, cols - 1)
+            fy, fx = y - top, x - left
+            if not cubic:
+                above = frame[top, left] + fx * (frame[top, right] - frame[top, left])
+                below = frame[down, left] + fx * (frame[down, right] - frame[down, left])
+                out[r, c] = above + fy * (below - above)
+                continue
+            before = max(left - 1, 0)
+            after = min(left + 2, cols - 1)
+            x0, x1, x2, x3 = _cubic_weights(fx)
+            total = 0.0
+            y_weights = _cubic_weights(fy)
+            for tap in range(4):
+                row = frame[min(max(top - 1 + tap, 0), rows - 1)]
+                total += y_weights[tap] * (
+                    x0 * row[before] + x1 * row[left] + x2 * row[right] + x3 * row[after]
+                )
+            out[r, c] = total
+
+
+@njit(cache=True, nogil=True, error_model="numpy")
+def trace_visibility(
+    height: FloatImage,
+    cols_per_um: float,
+    rows_per_um: float,
+    top_um: float,
+    tolerance_um: float,
+    first: int,
+    stop: int,
+    out: BoolImage,
+) -> None:
+    """Rows ``first`` to ``stop`` of ``out``: no surface above the ray that rises toward the aperture.
+
+    The ray moves against the parallax: by ``-cols_per_um, -rows_per_um`` pixels per um of rise.
+    """
+    rows, cols = height.shape
+    travel = max(abs(cols_per_um), abs(rows_per_um))
+    for r in range(first, stop):
+        for c in range(cols):
+            z = height[r, c]
+            seen = not np.isnan(z)
+            if seen and travel > 0.0:
+                step_um = 1.0 / travel
+                rise = step_um
+                while z + rise + tolerance_um < top_um:
+                    y = r - rise * rows_per_um
+                    x = c - rise * cols_per_um
+                    if not (y >= 0.0 and y <= rows - 1 and x >= 0.0 and x <= cols - 1):
+                        break
+                    above = min(int(y), max(rows - 2, 0))
+                    left = min(int(x), max(cols - 2, 0))
+                    down = min(above + 1, rows - 1)
+                    right = min(left + 1, cols - 1)
+                    fy, fx = y - above, x - left
+                    surface = (1.0 - fy) * (
+                        (1.0 - fx) * height[above, left] + fx * height[above, right]
+                    ) + fy * ((1.0 - fx) * height[down, left] + fx * height[down, right])
+                    if surface > z + rise + tolerance_um:
+                        seen = False
+                        break
+                    rise += step_um
+            out[r, c] = seen
+
+
+def _strips(height: NDArray[np.float32]) -> list[tuple[int, int]]:
+    return tiles.spans(height.shape[0], STRIP_ROWS)
+
+
+def _checked(
+    shape: tuple[int, ...], slopes: ArrayLike, height_um: FloatImage, pixel_um: float
+) -> tuple[FloatImage, list[tuple[float, float]]]:
+    s = np.asarray(slopes, dtype=np.float64)
+    if len(shape) != 3 or s.shape != (shape[0], 2) or not np.isfinite(s).all():
+        raise InvalidInputError(
+            f"Frames {shape} and slopes {s.shape} do not belong together.",
+            hint="Registration needs frames (views, H, W) and one finite slope (sx, sy) per view.",
+        )
+    if height_um.shape != shape[1:]:
+        raise InvalidInputError(
+            f"A height map {height_um.shape} does not belong to frames {shape}.",
+            hint="Heights and frames must share one pixel grid.",
+        )
+    if not math.isfinite(pixel_um) or pixel_um <= 0:
+        raise InvalidInputError(
+            f"pixel_um must be positive, not {pixel_um}.", hint="Give the sampling in um per pixel."
+        )
+    moves = [apparent_shift_px(1.0, (float(sx), float(sy)), pixel_um) for sx, sy in s]
+    return np.ascontiguousarray(height_um, dtype=np.float32), moves
