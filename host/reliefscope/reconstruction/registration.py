@@ -18,6 +18,7 @@ from reliefscope.axes import apparent_shift_px
 from reliefscope.errors import InvalidInputError
 from reliefscope.jobs import Job, ensure_job
 from reliefscope.reconstruction import tiles
+from reliefscope.reconstruction.shifts import SNAP_PX
 from reliefscope.units import BoolImage, FloatImage
 
 Interpolation = Literal["linear", "cubic"]
@@ -110,17 +111,7 @@ def visibility(
     return mask
 
 
-@njit(cache=True, nogil=True, error_model="numpy")
-def _cubic_weights(t: float) -> tuple[float, float, float, float]:
-    return (
-        ((-0.5 * t + 1.0) * t - 0.5) * t,
-        (1.5 * t - 2.5) * t * t + 1.0,
-        ((-1.5 * t + 2.0) * t + 0.5) * t,
-        (0.5 * t - 0.5) * t * t,
-    )
-
-
-@njit(cache=True, nogil=True, error_model="numpy")
+@njit(cache=True, nogil=True, error_model="numpy", fastmath={"contract", "nsz"})
 def resample(
     frame: FloatImage,
     height: FloatImage,
@@ -133,35 +124,46 @@ def resample(
 ) -> None:
     """Rows ``first`` to ``stop`` of ``out``: ``frame`` at ``(row + z rows_per_um, col + z cols_per_um)``."""
     rows, cols = frame.shape
+    low, right = rows - 1 + SNAP_PX, cols - 1 + SNAP_PX
+    one, half = np.float32(1.0), np.float32(0.5)
+    two, three, five = np.float32(2.0), np.float32(1.5), np.float32(2.5)
     for r in range(first, stop):
         for c in range(cols):
             z = height[r, c]
             y = r + z * rows_per_um
             x = c + z * cols_per_um
-            if not (y >= 0.0 and y <= rows - 1 and x >= 0.0 and x <= cols - 1):
+            if not (y >= -SNAP_PX and y <= low and x >= -SNAP_PX and x <= right):
                 out[r, c] = np.nan
                 continue
-            top = min(int(y), max(rows - 2, 0))
-            left = min(int(x), max(cols - 2, 0))
-            down = min(top + 1, rows - 1)
-            right = min(left + 1, cols - 1)
-            fy, fx = y - top, x - left
+            y1 = min(int(y), max(rows - 2, 0))
+            x1 = min(int(x), max(cols - 2, 0))
+            y2 = min(y1 + 1, rows - 1)
+            x2 = min(x1 + 1, cols - 1)
+            t = np.float32(x - x1)
+            u = np.float32(y - y1)
             if not cubic:
-                above = frame[top, left] + fx * (frame[top, right] - frame[top, left])
-                below = frame[down, left] + fx * (frame[down, right] - frame[down, left])
-                out[r, c] = above + fy * (below - above)
+                above = frame[y1, x1] + t * (frame[y1, x2] - frame[y1, x1])
+                below = frame[y2, x1] + t * (frame[y2, x2] - frame[y2, x1])
+                out[r, c] = above + u * (below - above)
                 continue
-            before = max(left - 1, 0)
-            after = min(left + 2, cols - 1)
-            x0, x1, x2, x3 = _cubic_weights(fx)
-            total = 0.0
-            y_weights = _cubic_weights(fy)
-            for tap in range(4):
-                row = frame[min(max(top - 1 + tap, 0), rows - 1)]
-                total += y_weights[tap] * (
-                    x0 * row[before] + x1 * row[left] + x2 * row[right] + x3 * row[after]
-                )
-            out[r, c] = total
+            y0 = max(y1 - 1, 0)
+            x0 = max(x1 - 1, 0)
+            y3 = min(y1 + 2, rows - 1)
+            x3 = min(x1 + 2, cols - 1)
+            t0 = ((one - half * t) * t - half) * t
+            t1 = (three * t - five) * t * t + one
+            t2 = ((two - three * t) * t + half) * t
+            t3 = (half * t - half) * t * t
+            a = t0 * frame[y0, x0] + t1 * frame[y0, x1] + t2 * frame[y0, x2] + t3 * frame[y0, x3]
+            b = t0 * frame[y1, x0] + t1 * frame[y1, x1] + t2 * frame[y1, x2] + t3 * frame[y1, x3]
+            d = t0 * frame[y2, x0] + t1 * frame[y2, x1] + t2 * frame[y2, x2] + t3 * frame[y2, x3]
+            e = t0 * frame[y3, x0] + t1 * frame[y3, x1] + t2 * frame[y3, x2] + t3 * frame[y3, x3]
+            out[r, c] = (
+                (((one - half * u) * u - half) * u) * a
+                + ((three * u - five) * u * u + one) * b
+                + (((two - three * u) * u + half) * u) * d
+                + ((half * u - half) * u * u) * e
+            )
 
 
 @njit(cache=True, nogil=True, error_model="numpy")
