@@ -1,0 +1,138 @@
+"""Light on a surface: per LED the direct irradiance with its shadows, and what surfaces give each other."""
+
+from __future__ import annotations
+
+import math
+from dataclasses import dataclass
+
+import cv2
+import numpy as np
+from numpy.typing import NDArray
+
+from reliefscope.models.instrument import Dome
+from reliefscope.units import UM_PER_MM, FloatImage
+from reliefscope_sim.as_built import AsBuilt
+from reliefscope_sim.optics.light_kernels import (
+    add_gloss,
+    collect,
+    find_neighbours,
+    irradiance,
+)
+from reliefscope_sim.optics.surface import ALIGNMENT, Surface, block_mean
+
+LED_DIAMETER_MM = 2.0
+"""Bright part of the lens of a 3 mm LED (assumed); it sets the soft edge of shadows."""
+_DIRECTIONS = 48
+_BOUNCES = 2
+
+
+@dataclass(frozen=True)
+class LitSurface:
+    """A surface under one LED of energy 1: irradiance (H', W') direct, and direct plus from other surfaces."""
+
+    direct: FloatImage
+    total: FloatImage
+
+
+class Lighting:
+    """Illumination of one surface by the LEDs as they really are."""
+
+    def __init__(self, surface: Surface, dome: Dome, as_built: AsBuilt) -> None:
+        self._surface = surface
+        self._as_built = as_built
+        self._reference_px = dome.radius_mm * UM_PER_MM / surface.pixel_um
+        self._beam_exponent = math.log(0.5) / math.log(math.cos(math.radians(dome.half_angle_deg)))
+        self._source_radius = LED_DIAMETER_MM / 2 / dome.radius_mm
+        self._coarse = surface.coarser(ALIGNMENT)
+        self._hits = _neighbours(self._coarse)
+
+    def led_px(self, led: int, pixel_um: float) -> FloatImage:
+        """Position (3,) of an LED in pixels from the focal point."""
+        position: NDArray[np.float64] = self._as_built.led_positions_mm[led] * UM_PER_MM / pixel_um
+        return position.astype(np.float32)
+
+    def lit_by(self, led: int) -> LitSurface:
+        """The surface under one LED; its as-built intensity is included."""
+        surface = self._surface
+        direct: FloatImage = np.empty_like(surface.height_px)
+        irradiance(
+            surface.height_px,
+            surface.rise_x,
+            surface.rise_y,
+            optical_axis(surface),
+            self.led_px(led, surface.pixel_um),
+            np.float32(self._reference_px),
+            np.float32(self._beam_exponent),
+            np.float32(self._source_radius),
+            np.float32(surface.highest_px),
+            direct,
+        )
+        direct *= np.float32(self._as_built.led_intensities[led])
+        total = direct + self._from_other_surfaces(direct)
+        return LitSurface(direct, total)
+
+    def _from_other_surfaces(self, direct: FloatImage) -> FloatImage:
+        """Diffuse light between surfaces, on a grid four times as coarse, brought back to the full one."""
+        reflectance = self._coarse.reflectance
+        arriving = block_mean(direct, ALIGNMENT)
+        between: FloatImage = np.zeros_like(arriving)
+        for _ in range(_BOUNCES):
+            radiosity = reflectance * (arriving + between)
+            collect(radiosity, self._hits, between)
+        smooth = cv2.GaussianBlur(between, (0, 0), 0.8)
+        full: FloatImage = cv2.resize(
+            smooth, (direct.shape[1], direct.shape[0]), interpolation=cv2.INTER_LINEAR
+        )
+        return full
+
+
+def optical_axis(surface: Surface) -> FloatImage:
+    """(column, row) of the optical axis in the arrays of a surface."""
+    return np.array(
+        [surface.margin + surface.centre_column, surface.margin + surface.centre_row],
+        dtype=np.float32,
+    )
+
+
+def add_lobe(
+    surface: Surface,
+    direct: FloatImage,
+    led_px: FloatImage,
+    lean: NDArray[np.float64],
+    radiance: FloatImage,
+) -> None:
+    """Add the glossy part of a surface under one LED, seen along a ray of slope ``lean`` (2,)."""
+    if surface.specular is None or surface.roughness is None:
+        return
+    view = np.array([lean[0], lean[1], 1.0])
+    add_gloss(
+        direct,
+        surface.rise_x,
+        surface.rise_y,
+        surface.specular,
+        surface.roughness,
+        optical_axis(surface),
+        led_px,
+        (view / np.linalg.norm(view)).astype(np.float32),
+        radiance,
+    )
+
+
+def _neighbours(surface: Surface) -> NDArray[np.int32]:
+    """For each pixel, what it sees in directions that are spread as the cosine about its normal."""
+    index = np.arange(_DIRECTIONS)
+    radius = np.sqrt((index + 0.5) / _DIRECTIONS)
+    azimuth = index * math.pi * (3 - math.sqrt(5))
+    directions = np.stack(
+        [radius * np.cos(azimuth), radius * np.sin(azimuth), np.sqrt(1 - radius**2)], axis=-1
+    ).astype(np.float32)
+    hits = np.empty((*surface.height_px.shape, _DIRECTIONS), dtype=np.int32)
+    find_neighbours(
+        surface.height_px,
+        surface.rise_x,
+        surface.rise_y,
+        directions,
+        np.float32(surface.highest_px),
+        hits,
+    )
+    return hits

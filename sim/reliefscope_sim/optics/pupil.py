@@ -1,0 +1,114 @@
+"""From pixels of the glass to points of the pupil, in millimetres.
+
+This is the simulated instrument's own geometry: it starts from pixel indices, pitch and the as-built place
+of the glass, and shares no function with the host, so that an error of sign on either side shows.
+"""
+
+from __future__ import annotations
+
+import math
+from dataclasses import dataclass
+
+import numpy as np
+from numpy.typing import NDArray
+
+from reliefscope.models.instrument import InstrumentProfile
+from reliefscope.units import BoolImage
+from reliefscope_sim.as_built import AsBuilt
+
+_SUBDIVISIONS = 8
+_EXACT_POINTS = 16
+"""Up to so many points an aperture keeps each pixel as its own point."""
+
+
+@dataclass(frozen=True)
+class PupilPoints:
+    """Points (K, 2) in mm in the pupil and the open area (K,) in mm^2 that each stands for."""
+
+    position_mm: NDArray[np.float64]
+    area_mm2: NDArray[np.float64]
+
+    def __len__(self) -> int:
+        return len(self.area_mm2)
+
+    @property
+    def centroid_mm(self) -> NDArray[np.float64]:
+        """Mean position (2,), weighted by area."""
+        centroid: NDArray[np.float64] = (self.area_mm2 @ self.position_mm) / self.area_mm2.sum()
+        return centroid
+
+    @property
+    def spread_mm(self) -> NDArray[np.float64]:
+        """Standard deviation (2,) of the open area along x and y."""
+        offset = self.position_mm - self.centroid_mm
+        variance = (self.area_mm2 @ offset**2) / self.area_mm2.sum()
+        spread: NDArray[np.float64] = np.sqrt(variance)
+        return spread
+
+    def clusters(self, cell_mm: float) -> list[PupilPoints]:
+        """The same points in groups that fit into square cells."""
+        cells = np.floor(self.position_mm / cell_mm + 0.5).astype(int)
+        _, group = np.unique(cells, axis=0, return_inverse=True)
+        group = group.ravel()
+        return [
+            PupilPoints(self.position_mm[group == index], self.area_mm2[group == index])
+            for index in range(group.max() + 1)
+        ]
+
+    def merged(self, cell_mm: float) -> PupilPoints:
+        """One point per cell, at its centroid, with the area of all its points."""
+        parts = self.clusters(cell_mm)
+        return PupilPoints(
+            np.array([part.centroid_mm for part in parts]),
+            np.array([part.area_mm2.sum() for part in parts]),
+        )
+
+
+class Pupil:
+    """The glass as it sits in the round pupil of the objective.
+
+    ``area_mm2`` (64, 128) is the part of every glass pixel that lies inside the pupil: what the rim cuts off
+    is vignetted.
+    """
+
+    def __init__(self, profile: InstrumentProfile, as_built: AsBuilt) -> None:
+        glass = profile.glass
+        part = (np.arange(_SUBDIVISIONS) + 0.5) / _SUBDIVISIONS - 0.5
+        column = np.arange(glass.columns)[:, None] + part[None, :]
+        row = np.arange(glass.rows)[:, None] + part[None, :]
+        x = (column - (glass.columns - 1) / 2) * glass.pitch_x_mm
+        y = ((glass.rows - 1) / 2 - row) * glass.pitch_y_mm
+        grid_x, grid_y = x[None, :, None, :], y[:, None, :, None]
+        cos, sin = math.cos(as_built.glass_rotation_rad), math.sin(as_built.glass_rotation_rad)
+        self._x_mm = cos * grid_x - sin * grid_y + as_built.glass_offset_mm[0]
+        self._y_mm = sin * grid_x + cos * grid_y + as_built.glass_offset_mm[1]
+        radius = profile.optics.pupil_diameter_mm / 2
+        self._inside = self._x_mm**2 + self._y_mm**2 <= radius**2
+        self._cell_mm2 = glass.pitch_x_mm * glass.pitch_y_mm / _SUBDIVISIONS**2
+        self._pitch_mm = max(glass.pitch_x_mm, glass.pitch_y_mm)
+        self.area_mm2: NDArray[np.float64] = self._inside.sum(axis=(2, 3)) * self._cell_mm2
+        covered = (glass.pitch_x_mm - glass.gap_mm) * (glass.pitch_y_mm - glass.gap_mm)
+        self.fill_factor = max(0.0, covered / (glass.pitch_x_mm * glass.pitch_y_mm))
+        """Part of a glass pixel that switches; the gap around it always leaks."""
+
+    def points(self, mask: BoolImage, spacing_mm: float) -> PupilPoints:
+        """Points that stand for the pixels of ``mask`` (64, 128), no further apart than ``spacing_mm``.
+
+        Pixels larger than that are divided; many pixels smaller than that are merged.
+        """
+        split = 1
+        while self._pitch_mm / split > spacing_mm and split < _SUBDIVISIONS:
+            split *= 2
+        rows, columns = np.nonzero(mask & (self.area_mm2 > 0))
+        run = _SUBDIVISIONS // split
+        blocks = (len(rows), split, run, split, run)
+        inside = self._inside[rows, columns].reshape(blocks)
+        count = inside.sum(axis=(2, 4))
+        x = (self._x_mm[rows, columns].reshape(blocks) * inside).sum(axis=(2, 4))
+        y = (self._y_mm[rows, columns].reshape(blocks) * inside).sum(axis=(2, 4))
+        kept = count > 0
+        position = np.stack([x[kept], y[kept]], axis=-1) / count[kept][:, None]
+        points = PupilPoints(position, count[kept] * self._cell_mm2)
+        if len(points) > _EXACT_POINTS:
+            points = points.merged(spacing_mm)
+        return points

@@ -1,0 +1,178 @@
+"""Compiled kernels that turn a surface into an image seen through one point of the pupil, and blur it.
+
+All lengths are pixels of the surface's grid; slopes are x right, y up, rows grow downward.  The ray that
+reaches pixel (r, c) through pupil point k runs through the focal plane at that pixel and leans by
+``slope + kappa * field position``, so at height z it is above column ``c + z sx`` and row ``r - z sy``.
+Every pixel is computed by one thread in a fixed order: the result does not depend on their number.
+"""
+
+from __future__ import annotations
+
+import math
+
+import numpy as np
+from numba import njit, prange
+from numpy.typing import NDArray
+
+from reliefscope.units import FloatImage
+
+DepthStack = NDArray[np.uint16]
+
+DEPTH_LEVELS = 65535
+_REFINEMENTS = 2
+
+
+@njit(cache=True, inline="always", fastmath=True)
+def bilinear(flat: FloatImage, stride: int, x: float, y: float) -> float:
+    """Value of a flattened image at column ``x`` and row ``y``, both at least 0 and inside by one pixel."""
+    column = np.uint32(x)
+    row = np.uint32(y)
+    a = np.float32(x - column)
+    b = np.float32(y - row)
+    at = row * np.uint32(stride) + column
+    one = np.uint32(1)
+    below = at + np.uint32(stride)
+    top = flat[at] + a * (flat[at + one] - flat[at])
+    bottom = flat[below] + a * (flat[below + one] - flat[below])
+    return top + b * (bottom - top)
+
+
+@njit(cache=True, parallel=True, fastmath=True)
+def intersect(
+    height: FloatImage,
+    local_high: FloatImage,
+    local_low: FloatImage,
+    slopes: FloatImage,
+    kappa: float,
+    centre: FloatImage,
+    margin: int,
+    lowest: float,
+    step: float,
+    depth: DepthStack,
+) -> None:
+    """Height of the first surface point on the ray of every pixel, coming from the objective.
+
+    ``local_high`` and ``local_low`` bound the heights that any ray of a pixel can meet.  ``depth`` (K, H,
+    W) receives ``round((z - lowest) / step)``.
+    """
+    count, rows, columns = depth.shape
+    stride = height.shape[1]
+    flat = height.reshape(-1)
+    kappa32 = np.float32(kappa)
+    for row in prange(rows):
+        for k in range(count):
+            sy = slopes[k, 1] + kappa32 * (centre[1] - np.float32(row))
+            y0 = np.float32(row + margin)
+            for column in range(columns):
+                sx = slopes[k, 0] + kappa32 * (np.float32(column) - centre[0])
+                x0 = np.float32(column + margin)
+                high = local_high[row + margin, column + margin]
+                low = local_low[row + margin, column + margin]
+                lean = math.sqrt(sx * sx + sy * sy)
+                steps = int((high - low) * lean) + 1
+                dz = (high - low) / np.float32(steps)
+                above_z = high
+                above_gap = high - bilinear(flat, stride, x0 + high * sx, y0 - high * sy)
+                z = high
+                gap = above_gap
+                for i in range(1, steps + 1):
+                    if gap <= np.float32(0.0):
+                        break
+                    above_z = z
+                    above_gap = gap
+                    z = high - np.float32(i) * dz
+                    gap = z - bilinear(flat, stride, x0 + z * sx, y0 - z * sy)
+                for _ in range(_REFINEMENTS):
+                    if above_gap - gap < np.float32(1e-6):
+                        break
+                    middle = z + (above_z - z) * (gap / (gap - above_gap))
+                    middle_gap = middle - bilinear(flat, stride, x0 + middle * sx, y0 - middle * sy)
+                    if middle_gap > np.float32(0.0):
+                        above_z = middle
+                        above_gap = middle_gap
+                    else:
+                        z = middle
+                        gap = middle_gap
+                if above_gap - gap > np.float32(1e-6):
+                    z = z + (above_z - z) * (gap / (gap - above_gap))
+                level = (z - np.float32(lowest)) / np.float32(step) + np.float32(0.5)
+                depth[k, row, column] = np.uint16(
+                    min(max(level, np.float32(0.0)), np.float32(DEPTH_LEVELS))
+                )
+
+
+@njit(cache=True, parallel=True, fastmath=True)
+def gather(
+    radiance: FloatImage,
+    depth: DepthStack,
+    slopes: FloatImage,
+    weights: FloatImage,
+    kappa: float,
+    centre: FloatImage,
+    margin: int,
+    lowest: float,
+    step: float,
+    image: FloatImage,
+) -> None:
+    """Add to ``image`` (H, W) the weighted radiance (H', W') that each pupil point sees at its depth."""
+    count, rows, columns = depth.shape
+    stride = radiance.shape[1]
+    flat = radiance.reshape(-1)
+    kappa32 = np.float32(kappa)
+    lowest32 = np.float32(lowest)
+    step32 = np.float32(step)
+    for row in prange(rows):
+        for k in range(count):
+            weight = weights[k]
+            sx0 = slopes[k, 0] - kappa32 * centre[0]
+            sy = slopes[k, 1] + kappa32 * (centre[1] - np.float32(row))
+            y0 = np.float32(row + margin)
+            for column in range(columns):
+                z = lowest32 + step32 * np.float32(depth[k, row, column])
+                sx = sx0 + kappa32 * np.float32(column)
+                x = np.float32(column + margin) + z * sx
+                y = y0 - z * sy
+                image[row, column] += weight * bilinear(flat, stride, x, y)
+
+
+@njit(cache=True, parallel=True, fastmath=True)
+def blur(image: FloatImage, taps_x: FloatImage, taps_y: FloatImage, out: FloatImage) -> None:
+    """Separable symmetric blur; ``taps[i]`` is the weight at distance i, edges are repeated."""
+    rows, columns = image.shape
+    reach_x = len(taps_x) - 1
+    reach_y = len(taps_y) - 1
+    for row in prange(rows):
+        line = np.empty(columns + 2 * reach_x, np.float32)
+        middle = line[reach_x : reach_x + columns]
+        source = image[row]
+        for column in range(columns):
+            middle[column] = taps_y[0] * source[column]
+        for i in range(1, reach_y + 1):
+            upper = image[max(row - i, 0)]
+            lower = image[min(row + i, rows - 1)]
+            tap = taps_y[i]
+            for column in range(columns):
+                middle[column] += tap * (upper[column] + lower[column])
+        for i in range(reach_x):
+            line[i] = middle[0]
+            line[reach_x + columns + i] = middle[columns - 1]
+        target = out[row]
+        for column in range(columns):
+            target[column] = taps_x[0] * middle[column]
+        for i in range(1, reach_x + 1):
+            left = line[reach_x - i : reach_x - i + columns]
+            right = line[reach_x + i : reach_x + i + columns]
+            tap = taps_x[i]
+            for column in range(columns):
+                target[column] += tap * (left[column] + right[column])
+
+
+def gaussian_taps(sigma_px: float) -> FloatImage:
+    """Half of a normalised Gaussian kernel, from its middle outward; one tap where it does nothing."""
+    if sigma_px < 0.2:
+        return np.ones(1, dtype=np.float32)
+    distance = np.arange(math.ceil(3.2 * sigma_px) + 1)
+    taps = np.exp(-0.5 * (distance / sigma_px) ** 2)
+    taps /= taps[0] + 2 * taps[1:].sum()
+    half: FloatImage = taps.astype(np.float32)
+    return half

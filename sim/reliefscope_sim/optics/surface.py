@@ -1,0 +1,156 @@
+"""The sample on the camera's own grid, with a margin, in units of camera pixels."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+import cv2
+import numpy as np
+
+from reliefscope.units import FloatImage
+from reliefscope_sim.scenes.scene import Scene
+
+ALIGNMENT = 4
+"""Margins and sizes are multiples of this, so that coarser levels share the grid's corner."""
+
+
+@dataclass(frozen=True)
+class Surface:
+    """Height and materials (H', W') on the grid of a frame (H, W) with ``margin`` pixels around it.
+
+    Heights are in pixels of this level (``pixel_um``), slopes ``rise_x``, ``rise_y`` are dz/dx and dz/dy
+    with y up.  ``albedo`` is (C, H', W') with one channel or three.  Column ``margin + centre_column`` and
+    row ``margin + centre_row`` lie on the optical axis.
+    """
+
+    pixel_um: float
+    frame_shape: tuple[int, int]
+    margin: int
+    centre_column: float
+    centre_row: float
+    height_px: FloatImage
+    rise_x: FloatImage
+    rise_y: FloatImage
+    albedo: FloatImage
+    specular: FloatImage | None
+    roughness: FloatImage | None
+
+    @property
+    def lowest_px(self) -> float:
+        """Lowest height."""
+        return float(self.height_px.min())
+
+    @property
+    def highest_px(self) -> float:
+        """Highest height."""
+        return float(self.height_px.max())
+
+    @property
+    def reach_px(self) -> float:
+        """Largest distance from the focal plane."""
+        return max(abs(self.lowest_px), abs(self.highest_px))
+
+    @property
+    def reflectance(self) -> FloatImage:
+        """Fraction of light (H', W') that leaves again, without colour, for light between surfaces."""
+        total: FloatImage = self.albedo.mean(axis=0)
+        if self.specular is not None:
+            total = total + self.specular
+        return np.minimum(total, np.float32(0.95))
+
+    @classmethod
+    def on_frame(
+        cls, scene: Scene, shape: tuple[int, int], pixel_um: float, steepest: float, *, colour: bool
+    ) -> Surface:
+        """Resample ``scene`` onto a frame; ``steepest`` is the largest lean of a ray that must stay inside.
+
+        Without ``colour`` the albedo is reduced to its mean.
+        """
+        reach_px = float(np.abs(scene.height_um).max()) / pixel_um
+        margin = _aligned(int(np.ceil(steepest * reach_px)) + 8)
+        grid = (_aligned(shape[0] + 2 * margin), _aligned(shape[1] + 2 * margin))
+        scale = pixel_um / scene.pixel_um
+        rows, columns = scene.height_um.shape
+        centre_row, centre_column = (shape[0] - 1) / 2, (shape[1] - 1) / 2
+        warp = np.array(
+            [
+                [scale, 0.0, (columns - 1) / 2 - scale * (margin + centre_column)],
+                [0.0, scale, (rows - 1) / 2 - scale * (margin + centre_row)],
+            ]
+        )
+
+        def resample(values: FloatImage) -> FloatImage:
+            if scale > 1:
+                values = cv2.GaussianBlur(values, (0, 0), 0.4 * scale)
+            warped: FloatImage = cv2.warpAffine(
+                values,
+                warp,
+                (grid[1], grid[0]),
+                flags=cv2.INTER_LINEAR | cv2.WARP_INVERSE_MAP,
+                borderMode=cv2.BORDER_REPLICATE,
+            )
+            return warped
+
+        channels = scene.albedo if scene.coloured else scene.albedo[..., None]
+        if not colour:
+            channels = channels.mean(axis=2, keepdims=True)
+        planes = [
+            resample(np.ascontiguousarray(channels[..., c])) for c in range(channels.shape[2])
+        ]
+        height_px: FloatImage = resample(scene.height_um) / np.float32(pixel_um)
+        rise_x, rise_y = _slopes(height_px)
+        return cls(
+            pixel_um=pixel_um,
+            frame_shape=shape,
+            margin=margin,
+            centre_column=centre_column,
+            centre_row=centre_row,
+            height_px=height_px,
+            rise_x=rise_x,
+            rise_y=rise_y,
+            albedo=np.stack(planes),
+            specular=None if scene.specular is None else resample(scene.specular),
+            roughness=None if scene.roughness is None else resample(scene.roughness),
+        )
+
+    def coarser(self, factor: int) -> Surface:
+        """The same surface with pixels ``factor`` (2 or 4) times as large, block means of this one."""
+
+        def shrink(values: FloatImage) -> FloatImage:
+            return block_mean(values, factor)
+
+        height_px: FloatImage = shrink(self.height_px) / np.float32(factor)
+        rise_x, rise_y = _slopes(height_px)
+        rows, columns = self.frame_shape
+        return Surface(
+            pixel_um=self.pixel_um * factor,
+            frame_shape=(-(-rows // factor), -(-columns // factor)),
+            margin=self.margin // factor,
+            centre_column=(self.centre_column + 0.5) / factor - 0.5,
+            centre_row=(self.centre_row + 0.5) / factor - 0.5,
+            height_px=height_px,
+            rise_x=rise_x,
+            rise_y=rise_y,
+            albedo=np.stack([shrink(channel) for channel in self.albedo]),
+            specular=None if self.specular is None else shrink(self.specular),
+            roughness=None if self.roughness is None else shrink(self.roughness),
+        )
+
+
+def block_mean(values: FloatImage, factor: int) -> FloatImage:
+    """Means of ``factor`` x ``factor`` blocks of an array whose sides are multiples of it."""
+    rows, columns = values.shape
+    mean: FloatImage = cv2.resize(
+        values, (columns // factor, rows // factor), interpolation=cv2.INTER_AREA
+    )
+    return mean
+
+
+def _aligned(size: int) -> int:
+    return -(-size // ALIGNMENT) * ALIGNMENT
+
+
+def _slopes(height_px: FloatImage) -> tuple[FloatImage, FloatImage]:
+    """(dz/dx, dz/dy) by central differences, y up."""
+    down, across = np.gradient(height_px)
+    return across.astype(np.float32), (-down).astype(np.float32)

@@ -1,0 +1,178 @@
+"""Images of a lit surface through sets of glass pixels: parallax, occlusion, defocus, diffraction.
+
+An image is a sum over points of the pupil.  The geometry of a point, the height at which the ray of every
+pixel first meets the surface, depends on the point alone; it is found once per aperture and used for every
+light.
+"""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Callable
+from dataclasses import dataclass
+
+import cv2
+import numpy as np
+from numpy.typing import NDArray
+
+from reliefscope.models.instrument import Optics
+from reliefscope.units import UM_PER_MM, FloatImage
+from reliefscope_sim.as_built import AsBuilt
+from reliefscope_sim.optics.cache import ByteCache
+from reliefscope_sim.optics.pupil import PupilPoints
+from reliefscope_sim.optics.ray_kernels import (
+    DEPTH_LEVELS,
+    DepthStack,
+    blur,
+    gather,
+    gaussian_taps,
+    intersect,
+)
+from reliefscope_sim.optics.surface import Surface
+
+AIRY_SIGMA = 0.42
+"""Standard deviation of the Gaussian nearest to an Airy disc, in units of lambda f_o / d (eq. 2)."""
+_DEFOCUS_STEP_PX = 2.0
+_BATCH = 8
+
+Shader = Callable[[NDArray[np.float64]], FloatImage]
+"""Radiance (C, H', W') of the surface for rays of one slope (2,)."""
+
+
+@dataclass(frozen=True)
+class _Batch:
+    """Some points of an aperture that share one direction for gloss, with their geometry."""
+
+    lean: NDArray[np.float64]
+    slopes: FloatImage
+    weights: FloatImage
+    depth: DepthStack
+
+
+class Viewer:
+    """Sees one surface through the optics as they really are."""
+
+    def __init__(
+        self,
+        surface: Surface,
+        optics: Optics,
+        as_built: AsBuilt,
+        gloss_cell_mm: float,
+        cache_bytes: int,
+    ) -> None:
+        self.surface = surface
+        self._optics = optics
+        self._focal_mm = as_built.pupil_scale * optics.objective_focal_mm
+        self._kappa_per_px = as_built.telecentricity_per_mm * surface.pixel_um / UM_PER_MM
+        self._gloss_cell_mm = gloss_cell_mm
+        self._centre: FloatImage = np.array(
+            [surface.centre_column, surface.centre_row], dtype=np.float32
+        )
+        span = surface.highest_px - surface.lowest_px
+        self._depth_step = max(span, 1e-3) / DEPTH_LEVELS
+        self._batches: ByteCache[list[_Batch]] = ByteCache(
+            cache_bytes, lambda batches: sum(batch.depth.nbytes for batch in batches)
+        )
+        self._bounds: dict[int, tuple[FloatImage, FloatImage]] = {}
+
+    @property
+    def spacing_mm(self) -> float:
+        """Distance of pupil points at which their images part by as much as a pixel or two."""
+        return _DEFOCUS_STEP_PX * self._focal_mm / max(self.surface.reach_px, 1e-3)
+
+    def image(self, key: bytes, points: PupilPoints, shader: Shader) -> FloatImage:
+        """Image (C, H, W) through ``points``, which ``key`` names: radiance times open area in mm^2."""
+        rows, columns = self.surface.frame_shape
+        total: FloatImage | None = None
+        lean: NDArray[np.float64] | None = None
+        radiance: FloatImage = np.empty(0, dtype=np.float32)
+        for batch in self._batches.get(key, lambda: self._trace(points)):
+            if lean is None or not np.array_equal(lean, batch.lean):
+                lean = batch.lean
+                radiance = shader(lean)
+            if total is None:
+                total = np.zeros((len(radiance), rows, columns), dtype=np.float32)
+            for channel, seen in zip(radiance, total, strict=True):
+                gather(
+                    channel,
+                    batch.depth,
+                    batch.slopes,
+                    batch.weights,
+                    np.float32(self._kappa_per_px),
+                    self._centre,
+                    self.surface.margin,
+                    np.float32(self.surface.lowest_px),
+                    np.float32(self._depth_step),
+                    seen,
+                )
+        if total is None:
+            return np.zeros((len(self.surface.albedo), rows, columns), dtype=np.float32)
+        return self._diffract(total, points)
+
+    def _trace(self, points: PupilPoints) -> list[_Batch]:
+        """Geometry of every point, in batches of one direction for gloss."""
+        groups = [points] if self._gloss_cell_mm == 0 else points.clusters(self._gloss_cell_mm)
+        batches = []
+        for group in groups:
+            if not len(group):
+                continue
+            lean = group.centroid_mm / self._focal_mm
+            for start in range(0, len(group), _BATCH):
+                slopes = group.position_mm[start : start + _BATCH] / self._focal_mm
+                batches.append(
+                    _Batch(
+                        lean,
+                        slopes.astype(np.float32),
+                        group.area_mm2[start : start + _BATCH].astype(np.float32),
+                        self._intersections(slopes),
+                    )
+                )
+        return batches
+
+    def _intersections(self, slopes: NDArray[np.float64]) -> DepthStack:
+        surface = self.surface
+        rows, columns = surface.frame_shape
+        depth = np.empty((len(slopes), rows, columns), dtype=np.uint16)
+        steepest = float(np.hypot(slopes[:, 0], slopes[:, 1]).max()) + abs(
+            self._kappa_per_px
+        ) * math.hypot(rows, columns)
+        high, low = self._bounds_within(math.ceil(steepest * surface.reach_px) + 1)
+        intersect(
+            surface.height_px,
+            high,
+            low,
+            slopes.astype(np.float32),
+            np.float32(self._kappa_per_px),
+            self._centre,
+            surface.margin,
+            np.float32(surface.lowest_px),
+            np.float32(self._depth_step),
+            depth,
+        )
+        return depth
+
+    def _bounds_within(self, reach: int) -> tuple[FloatImage, FloatImage]:
+        """Highest and lowest height within ``reach`` pixels of each; the last pair asked for is kept."""
+        if reach not in self._bounds:
+            kernel = np.ones((2 * reach + 1, 2 * reach + 1), dtype=np.uint8)
+            height = self.surface.height_px
+            self._bounds = {reach: (cv2.dilate(height, kernel), cv2.erode(height, kernel))}
+        return self._bounds[reach]
+
+    def _diffract(self, image: FloatImage, points: PupilPoints) -> FloatImage:
+        """Blur by the spot of eq. 2; the diameter along each axis is that of a disc as spread as the points.
+
+        A disc of diameter d has a standard deviation of d / 4 along any axis.
+        """
+        spread = points.spread_mm
+        cell = math.sqrt(points.area_mm2.mean())
+        diameter = 4 * np.sqrt(spread**2 + cell**2 / 12)
+        spot_um = self._optics.wavelength_um * self._focal_mm / diameter
+        sigma_px = AIRY_SIGMA * spot_um / self.surface.pixel_um
+        taps_x, taps_y = gaussian_taps(float(sigma_px[0])), gaussian_taps(float(sigma_px[1]))
+        if len(taps_x) == 1 and len(taps_y) == 1:
+            return image
+        blurred: FloatImage = np.empty_like(image)
+        for channel, target in zip(image, blurred, strict=True):
+            blur(channel, taps_x, taps_y, target)
+        return blurred
