@@ -2,21 +2,23 @@
 
 Device and camera of the same NAME share a bench (:meth:`Bench.attach`).  Its time moves only in
 :meth:`Bench.wait`: from event to event (a firmware timer, the end of an exposure, a frame that arrives), never
-past what is waited for.  One lock guards all of it; rendering happens outside of that lock.
+past what is waited for.  One lock guards all of it; pictures are rendered outside of that lock.
 """
 
 from __future__ import annotations
 
 import threading
+import time
 import zlib
 from collections.abc import Callable
-from typing import TYPE_CHECKING, ClassVar
+from typing import ClassVar
 
 from reliefscope.errors import CameraError
 from reliefscope.models.camera import CameraBusyError, CameraLostError
 from reliefscope.protocol.messages import ResetCause
-from reliefscope.units import US_PER_S, RawImage
+from reliefscope.units import US_PER_S
 from reliefscope_sim.clock import Clock
+from reliefscope_sim.darkroom import Darkroom
 from reliefscope_sim.display import DisplayController
 from reliefscope_sim.factory import factory_settings
 from reliefscope_sim.firmware import NEVER_US, Firmware
@@ -26,9 +28,6 @@ from reliefscope_sim.link import BYTE_US, WRITE_AHEAD, Cable
 from reliefscope_sim.shutter import Exposure, Shutter
 from reliefscope_sim.trace import InputLine, OutputPin, TraceKind, TraceRecord
 from reliefscope_sim.url import SimUrl
-
-if TYPE_CHECKING:
-    from reliefscope_sim.optics import Renderer
 
 POLL_US = 100
 """Time that looking for bytes or frames without waiting takes; a host that polls lets the clock run too."""
@@ -54,7 +53,7 @@ class Bench:
     def __init__(self, url: SimUrl) -> None:
         self.url = url
         self.profile = url.load_profile()
-        self.as_built = url.load_as_built(self.profile)
+        self.darkroom = Darkroom(url, self.profile)
         self.serial_number = f"SIM-{url.name}"[:16]
         self.faults = url.faults
         self.display = DisplayController(url.mounting, url.seed)
@@ -72,8 +71,6 @@ class Bench:
         self._trigger_level = 0
         self._inputs: dict[InputLine, bool] = {}
         self._changed = threading.Condition(threading.RLock())
-        self._render_lock = threading.Lock()
-        self._renderer: Renderer | None = None
         self._camera_open = False
         settings = factory_settings(self.profile.glass.variant, url.mounting, self.serial_number)
         self._firmware = Firmware(settings, self._next_nonce())
@@ -100,6 +97,12 @@ class Bench:
             bench._users += 1
             return bench
 
+    @classmethod
+    def in_use(cls) -> list[str]:
+        """Names of the benches that are switched on."""
+        with cls._registry_lock:
+            return list(cls._registry)
+
     def release(self) -> None:
         """Give the bench back; the last one switches it off."""
         with self._registry_lock, self._changed:
@@ -107,7 +110,6 @@ class Bench:
             if self._users == 0:
                 del self._registry[self.url.name]
                 self._firmware.close()
-                self._renderer = None
 
     # --- time ---
 
@@ -120,6 +122,7 @@ class Bench:
             self._catch_up()
             deadline_us = NEVER_US if timeout_us is None else self.time_us + timeout_us
         while True:
+            time.sleep(0)  # other threads get their turn at the lock
             with self._changed:
                 self._catch_up()
                 if ready():
@@ -306,7 +309,7 @@ class Bench:
                 )
             self._camera_open = True
         try:
-            self.set_up_scene()
+            self.darkroom.set_up()
         except BaseException:
             self.close_camera()
             raise
@@ -372,33 +375,3 @@ class Bench:
                 f"The camera of the simulated instrument `{self.url.name}` is gone.",
                 hint="Plug it in (open the instrument without fault=camera_unplug), then resume.",
             )
-
-    def set_up_scene(self) -> Renderer:
-        """The renderer of this bench's scene, made when first needed."""
-        # Late: who only talks to the device does not wait for numba.
-        from reliefscope_sim.optics import Renderer
-        from reliefscope_sim.scenes import load_scene
-
-        with self._render_lock:
-            if self._renderer is None:
-                scene = load_scene(
-                    self.url.scene,
-                    self.url.seed,
-                    dict(self.url.scene_options),
-                    shape=self.profile.shape,
-                    pixel_um=self.profile.pixel_um,
-                )
-                self._renderer = Renderer(self.profile, scene, self.as_built, self.profile.shape)
-            return self._renderer
-
-    def render(self, exposure: Exposure) -> RawImage:
-        """The picture (H, W) that the sensor took."""
-        renderer = self.set_up_scene()
-        with self._render_lock:
-            raw: RawImage = renderer.expose(
-                exposure.transmission,
-                exposure.led_energy,
-                exposure.exposure_us / US_PER_S,
-                (self.url.seed, exposure.glass_key, exposure.light_key, exposure.repeat),
-            )
-        return raw

@@ -73,7 +73,7 @@ class SimCamera:
                 f"No frame came within {timeout_s:g} s.",
                 hint="Check that triggers are sent, and that none came during exposure or readout.",
             )
-        raw = bench.render(exposure)
+        raw = bench.darkroom.develop(exposure)
         return Frame(raw, exposure.frame_id, exposure.start_us, exposure.exposure_us)
 
     def disarm(self) -> None:

@@ -59,7 +59,7 @@ def test_wrong_addresses_are_refused_with_advice(url, named):
 
 @pytest.mark.parametrize("size", ["8x8", "4000x72", "97x72"])
 def test_impossible_sizes_are_refused(size):
-    with pytest.raises(InvalidInputError, match="even|size from"):
+    with pytest.raises(InvalidInputError, match=r"even|size from"):
         SimUrl.parse(f"sim://benchtop?size={size}").load_profile()
 
 
