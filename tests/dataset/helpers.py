@@ -66,7 +66,7 @@ def pixels(request: FrameRequest, spec: RunSpec, seed: int = 0) -> RawImage:
     rng = np.random.default_rng([seed, *(value + 1 for value in key)])
     top = spec.frame.full_scale * request.accumulate
     counts = rng.integers(0, top, spec.frame.shape, endpoint=True)
-    return counts.astype(spec.frame.dtype(request.accumulate))  # type: ignore[return-value]
+    return counts.astype(spec.frame.dtype(request.accumulate))
 
 
 def record(request: FrameRequest, **changes: object) -> FrameRecord:

@@ -5,10 +5,10 @@ from collections.abc import Callable
 from pathlib import Path
 
 import pytest
+from tests.dataset.helpers import make_run
 
 from reliefscope.dataset import Run
 from reliefscope.errors import DatasetError, ExitCode
-from tests.dataset.helpers import make_run
 
 
 def _edit(change: Callable[[dict[str, object]], object]) -> Callable[[Path], object]:
@@ -34,7 +34,7 @@ def _edit(change: Callable[[dict[str, object]], object]) -> Callable[[Path], obj
         (lambda folder: (folder / "1" / "0" / "zarr.json").unlink(), "not a readable Zarr"),
         (lambda folder: (folder / "1" / "0" / "zarr.json").write_text("{"), "not a readable Zarr"),
         (
-            _edit(lambda content: content["frame"].update(rows=20)),  # type: ignore[index]
+            _edit(lambda content: content["frame"].update(rows=20)),
             "run.json tells of",
         ),
     ],

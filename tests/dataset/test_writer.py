@@ -11,6 +11,8 @@ from pathlib import Path
 
 import numpy as np
 import pytest
+from tests.dataset.helpers import fill, make_run, pixels, record, small_spec
+from tests.support import REPOSITORY
 
 from reliefscope.dataset import Run, RunWriter, durable
 from reliefscope.dataset.run import IncompleteRunWarning
@@ -21,8 +23,6 @@ from reliefscope.errors import (
     OutputExistsError,
     VerificationError,
 )
-from tests.dataset.helpers import fill, make_run, pixels, record, small_spec
-from tests.support import REPOSITORY
 
 
 def test_a_whole_run_comes_back_bit_for_bit(tmp_path: Path) -> None:
@@ -163,9 +163,10 @@ def test_finish_does_not_overwrite_a_run_that_appeared_meanwhile(tmp_path: Path)
 
 
 def test_a_second_writer_is_told_who_holds_the_run(tmp_path: Path) -> None:
-    with RunWriter.create(tmp_path / "run", small_spec()):
-        with pytest.raises(LockedError, match=f"process {os.getpid()}"):
-            RunWriter.resume(tmp_path / "run")
+    writer = RunWriter.create(tmp_path / "run", small_spec())
+    with pytest.raises(LockedError, match=f"process {os.getpid()}"):
+        RunWriter.resume(tmp_path / "run")
+    writer.close()
     RunWriter.resume(tmp_path / "run").close()
 
 
