@@ -16,10 +16,6 @@ class DeviceNotFoundError(DeviceError):
     """There is no such port, or it may not be opened."""
 
 
-class LinkLostError(DeviceError):
-    """The port went away or a read or write on it failed."""
-
-
 class DeviceTimeout(DeviceError):  # noqa: N818 - it ends a wait; the device itself is well
     """No event came within the time given; the link itself is alive."""
 
@@ -71,6 +67,10 @@ class OutcomeUnknownError(DeviceError):
     """No answer came before the deadline: the device may or may not have acted."""
 
     exit_code = ExitCode.OUTCOME_UNKNOWN
+
+
+class LinkLostError(OutcomeUnknownError):
+    """The port went away, or a read or write on it failed."""
 
 
 class SchemaMismatchError(DeviceError):

@@ -19,7 +19,6 @@ from reliefscope.device.errors import (
     DeviceRebootedError,
     DeviceTimeout,
     FailedError,
-    LinkLostError,
     OutcomeUnknownError,
     RejectedError,
     SchemaMismatchError,
@@ -180,12 +179,9 @@ class Exchange:
         wait_s = max(_FIRST_RETRY_S, 4 * self._reply_s)
         first = True
         while deadline.remaining_s > 0:
-            try:
-                self.link.send(frame)
-                attempt = Deadline(min(wait_s, deadline.remaining_s))
-                answer = self._await(frame.request_id, attempt, nonce)
-            except LinkLostError as error:
-                raise OutcomeUnknownError(error.message, hint=error.hint) from error
+            self.link.send(frame)
+            attempt = Deadline(min(wait_s, deadline.remaining_s))
+            answer = self._await(frame.request_id, attempt, nonce)
             if answer is not None:
                 if first:
                     self._reply_s += (attempt.spent_s - self._reply_s) / 8
