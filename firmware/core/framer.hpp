@@ -21,8 +21,8 @@ constexpr std::size_t cobs_frame_size(std::size_t n) {
 // Encodes count bytes and ends them with 0x00; out holds cobs_frame_size(count). Returns bytes.
 std::size_t cobs_encode(const std::uint8_t* bytes, std::size_t count, std::uint8_t* out);
 
-// Adds the CRC to a body of count bytes (which needs wire::kCrcSize of room behind it) and encodes it;
-// out holds cobs_frame_size(count + wire::kCrcSize). Returns bytes.
+// Adds the CRC to a body of count bytes (which needs wire::kCrcSize of room behind it) and encodes
+// it; out holds cobs_frame_size(count + wire::kCrcSize). Returns bytes.
 std::size_t frame_encode(std::uint8_t* body, std::size_t count, std::uint8_t* out);
 
 struct FramerCounters {

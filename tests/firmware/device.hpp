@@ -65,8 +65,8 @@ class Device {
     run_for(0);
   }
 
-  void send(std::uint8_t message, std::uint32_t id, std::uint32_t nonce, const std::uint8_t* payload,
-            std::size_t size) {
+  void send(std::uint8_t message, std::uint32_t id, std::uint32_t nonce,
+            const std::uint8_t* payload, std::size_t size) {
     std::uint8_t body[wire::kMaxFrame];
     std::uint8_t encoded[wire::kMaxEncodedFrame];
     wire::Header header;
@@ -84,7 +84,7 @@ class Device {
 
   template <class M>
   void send(const M& message, std::uint32_t id, std::uint32_t nonce = kNonce) {
-    std::uint8_t payload[M::kMaxSize + 1];
+    std::uint8_t payload[M::kMaxSize + 1] = {};
     const std::size_t size = wire::encode(message, payload);
     send(static_cast<std::uint8_t>(M::kId), id, nonce, payload, size);
   }
@@ -96,11 +96,11 @@ class Device {
       if (tx_at_ == hal.tx_size) {
         tx_at_ = 0;
         hal.tx_size = 0;
+        run_for(0);
       }
       if (complete) {
         wire::decode(frame.header, receiver_.body(), wire::kHeaderSize);
         std::memcpy(frame.payload, receiver_.body() + wire::kHeaderSize, frame.header.length);
-        run_for(0);
         return true;
       }
     }

@@ -46,7 +46,8 @@ Verdict verdict_of(Receiver& receiver, const vectors::FrameVector& vector, wire:
   if (vector.decode == nullptr) {
     return Verdict::kUnknownMessage;
   }
-  const wire::Check check = vector.decode(receiver.framer.body() + wire::kHeaderSize, header.length);
+  const wire::Check check =
+      vector.decode(receiver.framer.body() + wire::kHeaderSize, header.length);
   return check.code == wire::ErrorCode::kOk          ? Verdict::kOk
          : check.code == wire::ErrorCode::kBadLength ? Verdict::kBadLength
                                                      : Verdict::kOutOfRange;

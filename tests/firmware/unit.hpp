@@ -56,8 +56,8 @@ inline bool check(bool passed, const char* what, int line) {
 
 }  // namespace unit
 
-#define TEST(name)                                                     \
-  static void name();                                                  \
+#define TEST(name)                                                      \
+  static void name();                                                   \
   static const unit::Case case_##name(#name, __FILE__, __LINE__, name); \
   static void name()
 
