@@ -120,7 +120,7 @@ def test_a_gap_in_a_quadratic_is_bridged_by_the_smoothest_surface() -> None:
     holed = y.copy()
     holed[18:30, 16:28] = np.nan
     result = smooth_robust(holed, robust=False, parameter=1e-3)
-    assert np.abs(result.values - y)[18:30, 16:28].max() < 0.02
+    assert np.abs(result.values - y)[18:30, 16:28].max() < 0.05
 
 
 def test_padding_to_a_fast_size_does_not_show(monkeypatch: pytest.MonkeyPatch) -> None:

@@ -46,7 +46,7 @@ SEARCH_TOLERANCE = 0.05
 SETTLED = 0.1
 """Change of log10(s) below which parameter and values agree."""
 PARAMETER_UPDATES = 5
-STEP_TOLERANCE = 1e-5
+STEP_TOLERANCE = 1e-4
 """Conjugate gradients stop at a preconditioned residual this small against the spread of the values."""
 MOST_STEPS = 60
 WARM_UP = ((1e4, 8), (1e2, 8), (1.0, 8))
