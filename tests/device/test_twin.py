@@ -13,6 +13,7 @@ from reliefscope.device import (
     ExposureEvent,
     FailedError,
     FaultEvent,
+    LinkLostError,
     OutcomeUnknownError,
     SequenceEvent,
     SequenceNews,
@@ -164,7 +165,7 @@ def test_pause_resume_abort(twin):
     with pytest.raises(FailedError) as caught:
         device.select_light(0)
     assert caught.value.code is m.ErrorCode.BUSY
-    with pytest.raises(DeviceTimeout):
+    with pytest.raises(DeviceTimeout, match=f"PAUSED at step 0 after {seen.exposures} exposures"):
         device.events(1.0)
     device.resume()
     assert device.events(5.0).news is SequenceNews.RESUMED
@@ -270,3 +271,22 @@ def test_silence_in_a_sequence_is_an_unknown_outcome(twin, fault):
 def test_enter_bootloader(twin):
     device = twin()
     assert device.enter_bootloader().delay_ms > 0
+    with pytest.raises(LinkLostError):  # it leaves, and its port goes away
+        device.events(0.4)
+
+
+@pytest.mark.soak
+@pytest.mark.parametrize(
+    "fault", ["link_loss:0.2,link_duplicate:0.2", "link_drop:0.01", "link_flip:0.01"]
+)
+def test_bad_link_for_long(twin, fault):
+    device = twin(fault)
+    device.load_light(0, [1])
+    device.load_light(1, [2])
+    unknown = 0
+    for n in range(2000):
+        try:
+            assert device.select_light(n % 2).level_sum == n % 2 + 1
+        except OutcomeUnknownError:
+            unknown += 1
+    assert unknown <= 100

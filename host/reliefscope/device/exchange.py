@@ -38,6 +38,7 @@ from reliefscope.protocol.messages import (
     HelloReply,
     HelloRequest,
     Rejected,
+    StatusReply,
     StatusRequest,
 )
 
@@ -74,6 +75,7 @@ class Exchange:
         self._acknowledged = 0
         self._event_gap = False
         self._rebooted: DeviceRebootedError | None = None
+        self._probed: StatusReply | None = None
 
     # -- HELLO ------------------------------------------------------------------------------------
 
@@ -242,6 +244,7 @@ class Exchange:
             If the device restarted or is gone.
         """
         deadline = Deadline(timeout_s)
+        self._probed = None
         while True:
             while self._urgent:
                 time.sleep(0.0005)
@@ -250,10 +253,7 @@ class Exchange:
             if event is not None:
                 return event
             if deadline.remaining_s <= 0:
-                raise DeviceTimeout(
-                    f"The device sent no event within {timeout_s:g} s.",
-                    hint="The device answers, so it waits for something: check the camera's trigger and ready lines.",
-                )
+                raise _no_event(timeout_s, self._probed)
 
     def _poll_event(self, deadline: Deadline) -> Event | None:
         if self.mismatch:
@@ -270,10 +270,8 @@ class Exchange:
                 frame = self.link.receive(Deadline(0))
             if self.link.silent_s >= PROBE_AFTER_S:
                 self.link.silent_s = 0.0
-                self._event_gap |= (
-                    self._request(StatusRequest(), REQUEST_DEADLINE_S).next_event
-                    != self._next_event
-                )
+                self._probed = self._request(StatusRequest(), REQUEST_DEADLINE_S)
+                self._event_gap |= self._probed.next_event != self._next_event
         if self._event_gap:
             self._acknowledge(resend=True)
         elif self._next_event - self._acknowledged >= ACKNOWLEDGE_EVERY:
@@ -319,6 +317,19 @@ class Exchange:
             yield
         finally:
             self._lock.release()
+
+
+def _no_event(timeout_s: float, status: StatusReply | None) -> DeviceTimeout:
+    text = f"The device sent no event within {timeout_s:g} s"
+    if status is None:
+        return DeviceTimeout(f"{text}.", hint="Wait for longer, or read its status.")
+    camera = "ready" if status.camera_ready else "not ready"
+    return DeviceTimeout(
+        f"{text}: it is {status.sequence.name} at step {status.step} after {status.exposures} exposures, "
+        f"fault {status.fault.name}, camera {camera}.",
+        hint="The device itself answers. A camera that is not ready is not armed or stalled; a HELD sequence waits "
+        "for events to be read; an IDLE one was never started or has ended.",
+    )
 
 
 def _is_event(frame: Frame) -> bool:
