@@ -9,6 +9,7 @@ column and common line 0 its top row; turned by 180 degrees, segment 4 is left a
 
 Commands after the ST7565R data sheet; reset state: display off, power off, nothing inverted or reversed,
 start line, page and column 0, volume 32, ratio 0.  The RAM holds noise after power-on and survives a reset.
+A resistor holds the reset pin low until the firmware raises it.
 """
 
 from __future__ import annotations
@@ -50,7 +51,7 @@ class DisplayController:
             0, 256, (RAM_PAGES, RAM_COLUMNS), dtype=np.uint8
         )
         self.selected = False
-        self.in_reset = False
+        self.in_reset = True
         self._reset_registers()
 
     def _reset_registers(self) -> None:

@@ -109,6 +109,7 @@ def test_reset_clears_registers_but_not_the_ram():
 
 def test_ram_holds_noise_after_power_on():
     display = DisplayController(seed=3)
+    display.set_reset(1)
     display.set_select(0)
     display.feed(0, INIT_BOTTOM)
     assert 0.4 < display.driven().mean() < 0.6
