@@ -55,6 +55,37 @@ def test_socket():
         assert set(server.device.executed.values()) == {1}
 
 
+@pytest.mark.skipif(sys.platform == "win32", reason="pseudo-terminals are POSIX")
+def test_serial_port_of_the_operating_system():
+    """A pseudo-terminal behaves as a USB serial port does, without one."""
+    fake, reader, stop = FakeDevice(), FrameReader(), threading.Event()
+    leader, follower = os.openpty()
+    os.set_blocking(leader, False)
+
+    def serve():
+        while not stop.wait(0.0005):
+            with suppress(BlockingIOError):
+                for frame in reader.feed(os.read(leader, 4096)):
+                    fake.take(frame)
+            outbox, fake.outbox = fake.outbox, []
+            for frame in outbox:
+                os.write(leader, frame.encode())
+
+    thread = threading.Thread(target=serve)
+    thread.start()
+    try:
+        with Device.open(os.ttyname(follower)) as device:
+            for slot in range(20):
+                assert device.select_light(slot).slot == slot
+            assert device.load_light(0, [257] * 48).level_sum == 257 * 48
+        assert set(fake.executed.values()) == {1}
+    finally:
+        stop.set()
+        thread.join(5)
+        os.close(leader)
+        os.close(follower)
+
+
 def test_socket_that_closes_is_an_unknown_outcome():
     with Server(FakeDevice()) as server, Device.open(server.url) as device:
         server.connection.shutdown(socket.SHUT_WR)

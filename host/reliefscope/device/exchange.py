@@ -23,7 +23,7 @@ from reliefscope.device.errors import (
     RejectedError,
     SchemaMismatchError,
 )
-from reliefscope.device.link import READ_SLICE_S, Deadline, Link
+from reliefscope.device.link import Deadline, Link
 from reliefscope.errors import DeviceError
 from reliefscope.protocol.codec import Event, Message, PayloadError, Request
 from reliefscope.protocol.framing import Frame
@@ -261,7 +261,7 @@ class Exchange:
         if self._rebooted:
             raise self._rebooted
         if not self._events:
-            frame = self.link.receive(deadline, READ_SLICE_S)
+            frame = self.link.receive(deadline)
             while frame is not None:
                 if _is_event(frame):
                     self._take_event(frame)

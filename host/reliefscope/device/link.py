@@ -19,6 +19,8 @@ logger = logging.getLogger(__name__)
 
 READ_SLICE_S = 0.05
 """Longest single read: other threads get their turn in between."""
+SHORT_SLICE_S = 0.005
+"""A single read where less than the longest is left; only two values, since pyserial sets up a port anew for each."""
 
 
 class Deadline:
@@ -92,8 +94,8 @@ class Link:
         if self._log:
             self._log.note("out", frame)
 
-    def receive(self, deadline: Deadline, slice_s: float = READ_SLICE_S) -> Frame | None:
-        """Next frame, or None after one read (of at most ``slice_s``) that completed none.
+    def receive(self, deadline: Deadline) -> Frame | None:
+        """Next frame, or None after one read (of at most READ_SLICE_S) that completed none.
 
         Raises
         ------
@@ -101,7 +103,7 @@ class Link:
             If the port is gone.
         """
         if not self._frames:
-            for frame in self._reader.feed(self._read(deadline, slice_s)):
+            for frame in self._reader.feed(self._read(deadline)):
                 self._counters["frames_received"] += 1
                 self._frames.append(frame)
                 if self._log:
@@ -111,11 +113,12 @@ class Link:
         self.silent_s = 0.0
         return self._frames.popleft()
 
-    def _read(self, deadline: Deadline, slice_s: float) -> bytes:
-        timeout = min(deadline.remaining_s, slice_s)
+    def _read(self, deadline: Deadline) -> bytes:
+        remaining = deadline.remaining_s
+        timeout = READ_SLICE_S if remaining >= READ_SLICE_S else SHORT_SLICE_S
         try:
             waiting = self._port.in_waiting
-            if not waiting and timeout <= 0:
+            if not waiting and remaining <= 0:
                 return b""
             if self._port.timeout != timeout:
                 self._port.timeout = timeout
