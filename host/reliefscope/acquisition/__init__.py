@@ -1,0 +1,5 @@
+"""Acquisition: a plan becomes tables that the device steps alone; its events and the frames become a run."""
+
+from reliefscope.acquisition.acquire import acquire, resume
+
+__all__ = ["acquire", "resume"]
