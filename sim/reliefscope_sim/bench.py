@@ -65,6 +65,7 @@ class Bench:
         Bench._switched_on += 1
         self._boots = Bench._switched_on << 16
         self._users = 0
+        self._off = False
         self._stalled = False
         self._in_bootloader = False
         self._brown_out_us = NEVER_US
@@ -109,14 +110,17 @@ class Bench:
             self._users -= 1
             if self._users == 0:
                 del self._registry[self.url.name]
+                self._off = True
                 self._firmware.close()
+                self._changed.notify_all()
 
     # --- time ---
 
     def wait(self, ready: Callable[[], bool], timeout_us: int | None) -> bool:
         """Let the clock run until ``ready()`` or for ``timeout_us`` (None: for ever).
 
-        ``ready`` is called with the bench's lock held.  Returns what it said last.
+        ``ready`` is called with the bench's lock held.  Returns what it said last; False at once where the
+        bench was switched off meanwhile.
         """
         with self._changed:
             self._catch_up()
@@ -127,7 +131,7 @@ class Bench:
                 self._catch_up()
                 if ready():
                     return True
-                if self.time_us >= deadline_us:
+                if self._off or self.time_us >= deadline_us:
                     return False
                 if self._clock.real:
                     ahead_us = min(deadline_us, self._next_event_us()) - self._clock.due_us()
@@ -146,13 +150,13 @@ class Bench:
         """Let time go by for what the host does."""
         until_us = self.time_us if self._clock.real else self.time_us + duration_us
         self._catch_up()
-        while self.time_us < until_us:
+        while self.time_us < until_us and not self._off:
             self._step(until_us)
 
     def _catch_up(self) -> None:
         """Under real time: run up to what the wall says."""
         due_us = self._clock.due_us()
-        while self.time_us < due_us:
+        while self.time_us < due_us and not self._off:
             self._step(due_us)
 
     def _next_event_us(self) -> int:
@@ -273,7 +277,7 @@ class Bench:
             self._catch_up()
             self.cable.send(self.time_us, data)
             self._spend(len(data) * BYTE_US)
-            if self._clock.real and not self._halted:
+            if self._clock.real and not (self._halted or self._off):
                 self.cable.exchange(self.time_us, self._firmware)
             self._changed.notify_all()
         return self.wait(lambda: self.cable.unsent <= WRITE_AHEAD or self.cable.broken, timeout_us)
@@ -291,6 +295,16 @@ class Bench:
             del self.cable.received[: len(data)]
             self._spend(len(data) * BYTE_US)
             return data
+
+    def discard_input(self) -> None:
+        """Forget what the host has not read."""
+        with self._changed:
+            self.cable.clear_input()
+
+    def discard_output(self) -> None:
+        """Forget what the device has not taken."""
+        with self._changed:
+            self.cable.clear_output()
 
     def wake(self) -> None:
         """Let waits look again whether they were cancelled."""

@@ -1,6 +1,7 @@
 """The simulated camera by the contract of every camera."""
 
 import threading
+import time
 
 import numpy as np
 import pytest
@@ -88,6 +89,26 @@ def test_one_holder_at_a_time(camera):
     again.close()
     with pytest.raises(ValueError, match="closed"):
         again.arm()
+
+
+def test_closing_ends_a_wait_of_another_thread():
+    camera = SimCamera(f"{URL}&time=real")
+    camera.configure(CameraSettings(1000))
+    camera.arm()
+    outcome = []
+
+    def wait():
+        try:
+            camera.next_frame(60.0)
+        except CameraError as error:
+            outcome.append(error)
+
+    waiter = threading.Thread(target=wait)
+    waiter.start()
+    time.sleep(0.05)
+    camera.close()
+    waiter.join(timeout=5)
+    assert len(outcome) == 1
 
 
 def test_camera_in_one_thread_and_device_in_another(camera):

@@ -117,6 +117,29 @@ def test_endless_read_is_fed_by_another_thread(port):
     assert len(result[0]) == 10
 
 
+@pytest.mark.parametrize("shared", [False, True])
+def test_closing_ends_a_read_of_another_thread(port, shared):
+    camera = SimCamera(URL) if shared else None
+    port.read(10_000)
+    port.timeout = None
+    outcome = []
+
+    def read():
+        try:
+            port.read(10)
+        except serial.PortNotOpenError as error:
+            outcome.append(error)
+
+    reader = threading.Thread(target=read)
+    reader.start()
+    time.sleep(0.05)
+    port.close()
+    reader.join(timeout=5)
+    assert len(outcome) == 1
+    if camera:
+        camera.close()
+
+
 def test_only_bytes_are_sent(port):
     with pytest.raises(TypeError):
         port.write("hello")

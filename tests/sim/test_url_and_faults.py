@@ -1,6 +1,7 @@
 """Addresses of simulated instruments, and the grammar of faults."""
 
 import pytest
+from tests.support import REPOSITORY
 
 from reliefscope.errors import InvalidInputError
 from reliefscope_sim.display import Mounting
@@ -132,3 +133,9 @@ def test_a_frame_in_pieces_is_lost_as_a_whole():
         first = b"".join(data for _, data in whole.feed(0, frame))
         second = b"".join(d for byte in frame for _, d in pieces.feed(0, bytes([byte])))
         assert first == second
+
+
+def test_the_reference_page_lists_every_option_and_fault():
+    page = (REPOSITORY / "docs" / "reference" / "simulated-instrument.md").read_text("utf-8")
+    for name in [*KEYS, *KNOWN]:
+        assert f"| `{name}` |" in page, name

@@ -79,7 +79,9 @@ class Serial(SerialBase):
         """Read ``size`` bytes, fewer if the timeout ends first."""
         bench = self._check()
         self._cancel_read = False
-        data = bench.receive(size, _microseconds(self.timeout), lambda: self._cancel_read)
+        data = bench.receive(
+            size, _microseconds(self.timeout), lambda: self._cancel_read or not self.is_open
+        )
         if not data:
             self._check()
         return data
@@ -115,11 +117,11 @@ class Serial(SerialBase):
 
     def reset_input_buffer(self) -> None:
         """Forget what was received."""
-        self._check().cable.clear_input()
+        self._check().discard_input()
 
     def reset_output_buffer(self) -> None:
         """Forget what was not sent."""
-        self._check().cable.clear_output()
+        self._check().discard_output()
 
     @property
     def cts(self) -> bool:
