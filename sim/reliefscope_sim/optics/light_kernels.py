@@ -19,9 +19,14 @@ from reliefscope_sim.optics.ray_kernels import bilinear
 HitStack = NDArray[np.int32]
 
 
+STRIDES_PX = (32, 8)
+"""Steps of the march toward an LED where nothing within such a distance rises above the horizon."""
+
+
 @njit(cache=True, parallel=True, fastmath=True)
 def irradiance(
     height: FloatImage,
+    ceilings: FloatImage,
     rise_x: FloatImage,
     rise_y: FloatImage,
     optical_axis: FloatImage,
@@ -37,11 +42,17 @@ def irradiance(
     Falls off with 1/r^2, with ``cos^beam_exponent`` of the angle from the LED's axis (which points at the
     focal point) and with the cosine of incidence.  The shadow comes from the horizon on the way to the LED;
     its soft edge is the part of the source, seen under the angle ``source_radius`` to either side, that
-    stands above that horizon.  ``optical_axis`` is (column, row) in the array.
+    stands above that horizon.  ``ceilings`` (2, H', W') are the largest heights within ``STRIDES_PX`` pixels.
+    ``optical_axis`` is (column, row) in the array.
     """
     rows, columns = height.shape
     flat = height.reshape(-1)
-    axis_length = math.sqrt(led[0] ** 2 + led[1] ** 2 + led[2] ** 2)
+    last_x = np.float32(columns - 1)
+    last_y = np.float32(rows - 1)
+    top = np.float32(highest)
+    one = np.float32(1.0)
+    axis_length = math.sqrt(led[0] * led[0] + led[1] * led[1] + led[2] * led[2])
+    strength = np.float32(reference * reference)
     for row in prange(rows):
         dy = led[1] - (optical_axis[1] - np.float32(row))
         for column in range(columns):
@@ -56,33 +67,51 @@ def irradiance(
                 continue
             level = math.sqrt(dx * dx + dy * dy)
             distance = math.sqrt(dx * dx + dy * dy + dz * dz)
-            incidence = facing / (distance * math.sqrt(1.0 + p * p + q * q))
+            incidence = facing / (distance * math.sqrt(one + p * p + q * q))
             on_axis = (dx * led[0] + dy * led[1] + dz * led[2]) / (distance * axis_length)
-            beam = max(on_axis, np.float32(0.0)) ** beam_exponent
-            falloff = reference * reference / (distance * distance)
-            visible = np.float32(1.0)
-            if level > 1.0:
+            beam = max(on_axis, np.float32(0.0)) ** np.float32(beam_exponent)
+            falloff = strength / (distance * distance)
+            visible = one
+            if level > one:
                 elevation = math.atan2(dz, level)
-                lower = math.tan(max(elevation - source_radius, 0.0))
-                upper = math.tan(min(elevation + source_radius, 1.5533))
+                lower = np.float32(math.tan(max(elevation - source_radius, 0.0)))
+                upper = np.float32(math.tan(min(elevation + source_radius, 1.5533)))
                 ux = dx / level
                 uy = -dy / level
                 horizon = np.float32(-1e9)
-                x = np.float32(column)
-                y = np.float32(row)
-                away = np.float32(0.0)
+                away = one
                 while horizon < upper:
-                    away += np.float32(1.0)
-                    if z + max(horizon, lower) * away >= highest or away >= level:
+                    x = np.float32(column) + away * ux
+                    y = np.float32(row) + away * uy
+                    reached = z + max(horizon, lower) * away
+                    if reached >= top or away >= level:
                         break
-                    x += ux
-                    y += uy
-                    if x < 0.0 or y < 0.0 or x >= columns - 1 or y >= rows - 1:
+                    if x < 0.0 or y < 0.0 or x >= last_x or y >= last_y:
                         break
-                    horizon = max(horizon, (bilinear(flat, columns, x, y) - z) / away)
+                    near_column = np.uint32(np.int32(x))
+                    near_row = np.uint32(np.int32(y))
+                    if reached >= ceilings[0, near_row, near_column]:
+                        away += np.float32(STRIDES_PX[0])
+                    elif reached >= ceilings[1, near_row, near_column]:
+                        away += np.float32(STRIDES_PX[1])
+                    else:
+                        horizon = max(horizon, (bilinear(flat, columns, x, y) - z) / away)
+                        away += one
                 if horizon > lower:
                     visible = max(np.float32(0.0), (upper - horizon) / (upper - lower))
             out[row, column] = visible * beam * falloff * incidence
+
+
+@njit(cache=True, parallel=True, fastmath=True)
+def add_reflected(
+    albedo: FloatImage, arriving: FloatImage, share: float, radiance: FloatImage
+) -> None:
+    """Add ``share * albedo * arriving`` to ``radiance``; albedo and radiance are (C, H', W')."""
+    channels, rows, _ = albedo.shape
+    factor = np.float32(share)
+    for row in prange(rows):
+        for channel in range(channels):
+            radiance[channel, row] += albedo[channel, row] * (factor * arriving[row])
 
 
 @njit(cache=True, parallel=True, fastmath=True)
@@ -95,10 +124,16 @@ def add_gloss(
     optical_axis: FloatImage,
     led: FloatImage,
     view: FloatImage,
+    share: float,
     radiance: FloatImage,
 ) -> None:
-    """Add to ``radiance`` the GGX lobe of light ``direct`` from ``led``, seen along the unit vector ``view``."""
+    """Add to ``radiance`` (C, H', W') ``share`` of the GGX lobe of light ``direct`` from ``led``.
+
+    It is seen along the unit vector ``view``, and has no colour.
+    """
     rows, columns = direct.shape
+    channels = len(radiance)
+    factor = np.float32(share)
     for row in prange(rows):
         dy = led[1] - (optical_axis[1] - np.float32(row))
         for column in range(columns):
@@ -119,9 +154,9 @@ def add_gloss(
             half = np.float32(1.0) / math.sqrt(hx * hx + hy * hy + hz * hz)
             nh = nz * half * (hz - p * hx - q * hy)
             vh = half * (view[0] * hx + view[1] * hy + view[2] * hz)
-            radiance[row, column] += arriving * ggx(
-                nl, nv, nh, vh, roughness[row, column], specular[row, column]
-            )
+            lobe = ggx(nl, nv, nh, vh, roughness[row, column], specular[row, column])
+            for channel in range(channels):
+                radiance[channel, row, column] += factor * arriving * lobe
 
 
 @njit(cache=True, parallel=True, fastmath=True)

@@ -13,12 +13,13 @@ from reliefscope.models.instrument import Dome
 from reliefscope.units import UM_PER_MM, FloatImage
 from reliefscope_sim.as_built import AsBuilt
 from reliefscope_sim.optics.light_kernels import (
+    STRIDES_PX,
     add_gloss,
     collect,
     find_neighbours,
     irradiance,
 )
-from reliefscope_sim.optics.surface import ALIGNMENT, Surface, block_mean
+from reliefscope_sim.optics.surface import ALIGNMENT, Surface, as_float_image, block_mean
 
 LED_DIAMETER_MM = 2.0
 """Bright part of the lens of a 3 mm LED (assumed); it sets the soft edge of shadows."""
@@ -28,10 +29,24 @@ _BOUNCES = 2
 
 @dataclass(frozen=True)
 class LitSurface:
-    """A surface under one LED of energy 1: irradiance (H', W') direct, and direct plus from other surfaces."""
+    """A surface under one LED of energy 1.
 
-    direct: FloatImage
+    ``total`` (H', W') is the irradiance, direct and from other surfaces; ``direct`` alone is kept where the
+    surface has gloss.
+    """
+
     total: FloatImage
+    direct: FloatImage | None
+
+    @property
+    def nbytes(self) -> int:
+        """Memory that it takes."""
+        return self.total.nbytes + (0 if self.direct is None else self.direct.nbytes)
+
+    def coarser(self, factor: int) -> LitSurface:
+        """The same light on a grid with larger pixels."""
+        direct = None if self.direct is None else block_mean(self.direct, factor)
+        return LitSurface(block_mean(self.total, factor), direct)
 
 
 class Lighting:
@@ -45,6 +60,10 @@ class Lighting:
         self._source_radius = LED_DIAMETER_MM / 2 / dome.radius_mm
         self._coarse = surface.coarser(ALIGNMENT)
         self._hits = _neighbours(self._coarse)
+        boxes = (np.ones((2 * stride + 3,) * 2, dtype=np.uint8) for stride in STRIDES_PX)
+        self._ceilings = np.stack(
+            [as_float_image(cv2.dilate(surface.height_px, box)) for box in boxes]
+        )
 
     def led_px(self, led: int, pixel_um: float) -> FloatImage:
         """Position (3,) of an LED in pixels from the focal point."""
@@ -57,19 +76,21 @@ class Lighting:
         direct: FloatImage = np.empty_like(surface.height_px)
         irradiance(
             surface.height_px,
+            self._ceilings,
             surface.rise_x,
             surface.rise_y,
             optical_axis(surface),
             self.led_px(led, surface.pixel_um),
-            np.float32(self._reference_px),
-            np.float32(self._beam_exponent),
-            np.float32(self._source_radius),
-            np.float32(surface.highest_px),
+            self._reference_px,
+            self._beam_exponent,
+            self._source_radius,
+            surface.highest_px,
             direct,
         )
         direct *= np.float32(self._as_built.led_intensities[led])
-        total = direct + self._from_other_surfaces(direct)
-        return LitSurface(direct, total)
+        total = self._from_other_surfaces(direct)
+        total += direct
+        return LitSurface(total, None if surface.specular is None else direct)
 
     def _from_other_surfaces(self, direct: FloatImage) -> FloatImage:
         """Diffuse light between surfaces, on a grid four times as coarse, brought back to the full one."""
@@ -80,10 +101,9 @@ class Lighting:
             radiosity = reflectance * (arriving + between)
             collect(radiosity, self._hits, between)
         smooth = cv2.GaussianBlur(between, (0, 0), 0.8)
-        full: FloatImage = cv2.resize(
-            smooth, (direct.shape[1], direct.shape[0]), interpolation=cv2.INTER_LINEAR
+        return as_float_image(
+            cv2.resize(smooth, (direct.shape[1], direct.shape[0]), interpolation=cv2.INTER_LINEAR)
         )
-        return full
 
 
 def optical_axis(surface: Surface) -> FloatImage:
@@ -96,17 +116,18 @@ def optical_axis(surface: Surface) -> FloatImage:
 
 def add_lobe(
     surface: Surface,
-    direct: FloatImage,
+    lit: LitSurface,
     led_px: FloatImage,
     lean: NDArray[np.float64],
+    share: float,
     radiance: FloatImage,
 ) -> None:
-    """Add the glossy part of a surface under one LED, seen along a ray of slope ``lean`` (2,)."""
-    if surface.specular is None or surface.roughness is None:
+    """Add ``share`` of the gloss of a surface under one LED, seen along a ray of slope ``lean`` (2,)."""
+    if surface.specular is None or surface.roughness is None or lit.direct is None:
         return
     view = np.array([lean[0], lean[1], 1.0])
     add_gloss(
-        direct,
+        lit.direct,
         surface.rise_x,
         surface.rise_y,
         surface.specular,
@@ -114,6 +135,7 @@ def add_lobe(
         optical_axis(surface),
         led_px,
         (view / np.linalg.norm(view)).astype(np.float32),
+        share,
         radiance,
     )
 
@@ -132,7 +154,7 @@ def _neighbours(surface: Surface) -> NDArray[np.int32]:
         surface.rise_x,
         surface.rise_y,
         directions,
-        np.float32(surface.highest_px),
+        surface.highest_px,
         hits,
     )
     return hits

@@ -20,21 +20,68 @@ DepthStack = NDArray[np.uint16]
 
 DEPTH_LEVELS = 65535
 _REFINEMENTS = 2
+_ITERATIONS = 3
 
 
 @njit(cache=True, inline="always", fastmath=True)
-def bilinear(flat: FloatImage, stride: int, x: float, y: float) -> float:
-    """Value of a flattened image at column ``x`` and row ``y``, both at least 0 and inside by one pixel."""
-    column = np.uint32(x)
-    row = np.uint32(y)
-    a = np.float32(x - column)
-    b = np.float32(y - row)
-    at = row * np.uint32(stride) + column
-    one = np.uint32(1)
-    below = at + np.uint32(stride)
-    top = flat[at] + a * (flat[at + one] - flat[at])
-    bottom = flat[below] + a * (flat[below + one] - flat[below])
-    return top + b * (bottom - top)
+def bilinear(flat: FloatImage, stride: int, x: np.float32, y: np.float32) -> np.float32:
+    """Value of a flattened image at column ``x`` and row ``y``, both at least 0 and inside by one pixel.
+
+    Signed conversions vectorise; unsigned indices spare the check for negative ones.
+    """
+    column = np.int32(x)
+    row = np.int32(y)
+    a = x - np.float32(column)
+    b = y - np.float32(row)
+    at = np.uint32(row * np.int32(stride) + column)
+    below = np.uint32(at + np.uint32(stride))
+    left = flat[at]
+    top = left + a * (flat[np.uint32(at + np.uint32(1))] - left)
+    left = flat[below]
+    bottom = left + a * (flat[np.uint32(below + np.uint32(1))] - left)
+    value: np.float32 = top + b * (bottom - top)
+    return value
+
+
+@njit(cache=True, inline="always", fastmath=True)
+def _march(
+    flat: FloatImage,
+    stride: int,
+    x0: np.float32,
+    y0: np.float32,
+    sx: np.float32,
+    sy: np.float32,
+    high: np.float32,
+    low: np.float32,
+) -> np.float32:
+    """Height at which a ray first meets the surface between ``high`` and ``low``, in steps of a pixel."""
+    steps = int((high - low) * math.sqrt(sx * sx + sy * sy)) + 1
+    dz = (high - low) / np.float32(steps)
+    above_z = high
+    above_gap = high - bilinear(flat, stride, x0 + high * sx, y0 - high * sy)
+    z = above_z
+    gap = above_gap
+    for i in range(1, steps + 1):
+        if gap <= np.float32(0.0):
+            break
+        above_z = z
+        above_gap = gap
+        z = high - np.float32(i) * dz
+        gap = z - bilinear(flat, stride, x0 + z * sx, y0 - z * sy)
+    for _ in range(_REFINEMENTS):
+        if above_gap - gap < np.float32(1e-6):
+            break
+        middle = z + (above_z - z) * (gap / (gap - above_gap))
+        middle_gap = middle - bilinear(flat, stride, x0 + middle * sx, y0 - middle * sy)
+        if middle_gap > np.float32(0.0):
+            above_z = middle
+            above_gap = middle_gap
+        else:
+            z = middle
+            gap = middle_gap
+    if above_gap - gap > np.float32(1e-6):
+        z += (above_z - z) * (gap / (gap - above_gap))
+    return z
 
 
 @njit(cache=True, parallel=True, fastmath=True)
@@ -42,6 +89,7 @@ def intersect(
     height: FloatImage,
     local_high: FloatImage,
     local_low: FloatImage,
+    local_rise: FloatImage,
     slopes: FloatImage,
     kappa: float,
     centre: FloatImage,
@@ -52,51 +100,51 @@ def intersect(
 ) -> None:
     """Height of the first surface point on the ray of every pixel, coming from the objective.
 
-    ``local_high`` and ``local_low`` bound the heights that any ray of a pixel can meet.  ``depth`` (K, H,
-    W) receives ``round((z - lowest) / step)``.
+    ``local_high``, ``local_low`` and ``local_rise`` bound the heights and their change per pixel that any
+    ray of a pixel can meet.  Where the surface rises less steeply than the ray (by half at least), nothing
+    can hide and ``z = h(x + z s)`` converges by itself; elsewhere the ray is followed.  ``depth`` (K, H, W)
+    receives ``round((z - lowest) / step)``.
     """
     count, rows, columns = depth.shape
     stride = height.shape[1]
     flat = height.reshape(-1)
     kappa32 = np.float32(kappa)
+    lowest32 = np.float32(lowest)
+    levels_per_px = np.float32(1.0 / step)
     for row in prange(rows):
+        found = np.empty(columns, np.float32)
+        start = height[row + margin, margin : margin + columns]
+        high = local_high[row + margin, margin : margin + columns]
+        low = local_low[row + margin, margin : margin + columns]
+        rise = local_rise[row + margin, margin : margin + columns]
+        y0 = np.float32(row + margin)
         for k in range(count):
+            sx0 = slopes[k, 0] - kappa32 * centre[0]
             sy = slopes[k, 1] + kappa32 * (centre[1] - np.float32(row))
-            y0 = np.float32(row + margin)
             for column in range(columns):
-                sx = slopes[k, 0] + kappa32 * (np.float32(column) - centre[0])
+                sx = sx0 + kappa32 * np.float32(column)
                 x0 = np.float32(column + margin)
-                high = local_high[row + margin, column + margin]
-                low = local_low[row + margin, column + margin]
-                lean = math.sqrt(sx * sx + sy * sy)
-                steps = int((high - low) * lean) + 1
-                dz = (high - low) / np.float32(steps)
-                above_z = high
-                above_gap = high - bilinear(flat, stride, x0 + high * sx, y0 - high * sy)
-                z = high
-                gap = above_gap
-                for i in range(1, steps + 1):
-                    if gap <= np.float32(0.0):
-                        break
-                    above_z = z
-                    above_gap = gap
-                    z = high - np.float32(i) * dz
-                    gap = z - bilinear(flat, stride, x0 + z * sx, y0 - z * sy)
-                for _ in range(_REFINEMENTS):
-                    if above_gap - gap < np.float32(1e-6):
-                        break
-                    middle = z + (above_z - z) * (gap / (gap - above_gap))
-                    middle_gap = middle - bilinear(flat, stride, x0 + middle * sx, y0 - middle * sy)
-                    if middle_gap > np.float32(0.0):
-                        above_z = middle
-                        above_gap = middle_gap
-                    else:
-                        z = middle
-                        gap = middle_gap
-                if above_gap - gap > np.float32(1e-6):
-                    z = z + (above_z - z) * (gap / (gap - above_gap))
-                level = (z - np.float32(lowest)) / np.float32(step) + np.float32(0.5)
-                depth[k, row, column] = np.uint16(
+                z = start[column]
+                for _ in range(_ITERATIONS):
+                    z = bilinear(flat, stride, x0 + z * sx, y0 - z * sy)
+                found[column] = z
+            for column in range(columns):
+                sx = sx0 + kappa32 * np.float32(column)
+                if rise[column] * rise[column] * (sx * sx + sy * sy) > np.float32(0.25):
+                    found[column] = _march(
+                        flat,
+                        stride,
+                        np.float32(column + margin),
+                        y0,
+                        sx,
+                        sy,
+                        high[column],
+                        low[column],
+                    )
+            levels = depth[k, row]
+            for column in range(columns):
+                level = (found[column] - lowest32) * levels_per_px + np.float32(0.5)
+                levels[column] = np.uint16(
                     min(max(level, np.float32(0.0)), np.float32(DEPTH_LEVELS))
                 )
 
@@ -127,12 +175,14 @@ def gather(
             sx0 = slopes[k, 0] - kappa32 * centre[0]
             sy = slopes[k, 1] + kappa32 * (centre[1] - np.float32(row))
             y0 = np.float32(row + margin)
+            levels = depth[k, row]
+            line = image[row]
             for column in range(columns):
-                z = lowest32 + step32 * np.float32(depth[k, row, column])
+                z = lowest32 + step32 * np.float32(levels[column])
                 sx = sx0 + kappa32 * np.float32(column)
                 x = np.float32(column + margin) + z * sx
                 y = y0 - z * sy
-                image[row, column] += weight * bilinear(flat, stride, x, y)
+                line[column] += weight * bilinear(flat, stride, x, y)
 
 
 @njit(cache=True, parallel=True, fastmath=True)

@@ -19,9 +19,10 @@ from reliefscope.models.instrument import InstrumentProfile
 from reliefscope.units import FloatArray, FloatImage, RawImage
 from reliefscope_sim.as_built import AsBuilt
 from reliefscope_sim.optics.cache import ByteCache
+from reliefscope_sim.optics.light_kernels import add_reflected
 from reliefscope_sim.optics.lighting import Lighting, LitSurface, add_lobe
 from reliefscope_sim.optics.pupil import Pupil, PupilPoints
-from reliefscope_sim.optics.surface import Surface, block_mean
+from reliefscope_sim.optics.surface import Surface, as_float_image
 from reliefscope_sim.optics.views import Shader, Viewer
 from reliefscope_sim.scenes.scene import Scene
 from reliefscope_sim.sensor import Sensor
@@ -72,13 +73,12 @@ class Renderer:
         self._coarse = self._surface.coarser(2)
         self._lighting = Lighting(self._surface, profile.dome, as_built)
         gloss_cell_mm = 0.0 if self._surface.specular is None else _GLOSS_CELL_MM
-        sizes = [int(cache_mb * share * _MB) for share in (0.25, 0.05, 0.4, 0.3)]
+        sizes = [int(cache_mb * share * _MB) for share in (0.25, 0.1, 0.4, 0.1, 0.15)]
         self._viewer = Viewer(self._surface, profile.optics, as_built, gloss_cell_mm, sizes[0])
         self._wide = Viewer(self._coarse, profile.optics, as_built, gloss_cell_mm, sizes[1])
-        self._lit: ByteCache[LitSurface] = ByteCache(
-            sizes[2], lambda lit: lit.total.nbytes + lit.direct.nbytes
-        )
+        self._lit: ByteCache[LitSurface] = ByteCache(sizes[2], lambda lit: lit.nbytes)
         self._images: ByteCache[FloatImage] = ByteCache(sizes[3], lambda image: image.nbytes)
+        self._wide_images: ByteCache[FloatImage] = ByteCache(sizes[4], lambda image: image.nbytes)
         self._sensor = Sensor(profile.camera)
         self._signal_per_mm2_s = signal_per_mm2_s(profile)
 
@@ -149,7 +149,7 @@ class Renderer:
 
         def compute() -> FloatImage:
             points = self._pupil.points(mask, self._viewer.spacing_mm)
-            return self._mosaic(self._viewer.image(key, points, self._shader(light)))
+            return self._mosaic(list(self._viewer.image(key, points, self._shader(light))))
 
         return self._images.get((key, light), compute)
 
@@ -157,17 +157,15 @@ class Renderer:
         """Image through the whole pupil; blurred by its own width, it is made at half the resolution."""
 
         def compute() -> FloatImage:
-            image = self._wide.image(
-                b"pupil", self._whole_pupil(), self._shader(light, coarse=True)
-            )
-            rows, columns = self.shape
-            fine = [
-                cv2.resize(channel, None, fx=2, fy=2, interpolation=cv2.INTER_LINEAR)
-                for channel in image
-            ]
-            return self._mosaic(np.stack([channel[:rows, :columns] for channel in fine]))
+            shader = self._shader(light, coarse=True)
+            return self._wide.image(b"pupil", self._whole_pupil(), shader)
 
-        return self._images.get((b"pupil", light), compute)
+        rows, columns = self.shape
+        fine = [
+            as_float_image(cv2.resize(channel, None, fx=2, fy=2, interpolation=cv2.INTER_LINEAR))
+            for channel in self._wide_images.get(light, compute)
+        ]
+        return self._mosaic([channel[:rows, :columns] for channel in fine])
 
     def _whole_pupil(self) -> PupilPoints:
         return self._pupil.points(self._pupil.area_mm2 > 0, self._wide.spacing_mm)
@@ -180,31 +178,25 @@ class Renderer:
         surface = self._coarse if coarse else self._surface
 
         def shade(lean: NDArray[np.float64]) -> FloatImage:
-            arriving: FloatImage = np.zeros_like(surface.height_px)
-            lobe: FloatImage = np.zeros_like(surface.height_px)
+            radiance: FloatImage = np.zeros_like(surface.albedo)
             for led, ratio in light:
                 lit = self._lit_by(led)
-                total, direct = lit.total, lit.direct
                 if coarse:
-                    total, direct = block_mean(total, 2), block_mean(direct, 2)
-                _accumulate(arriving, total, ratio)
-                if surface.specular is not None:
-                    led_px = self._lighting.led_px(led, surface.pixel_um)
-                    add_lobe(surface, direct * np.float32(ratio), led_px, lean, lobe)
-            radiance: FloatImage = surface.albedo * arriving
-            if surface.specular is not None:
-                radiance += lobe
+                    lit = lit.coarser(2)
+                add_reflected(surface.albedo, lit.total, ratio, radiance)
+                led_px = self._lighting.led_px(led, surface.pixel_um)
+                add_lobe(surface, lit, led_px, lean, ratio, radiance)
             return radiance
 
         return shade
 
-    def _mosaic(self, image: FloatImage) -> FloatImage:
+    def _mosaic(self, channels: list[FloatImage]) -> FloatImage:
         """One value per pixel (H, W): the only channel, or the one that the pixel's filter passes."""
-        if len(image) == 1:
-            return image[0]
-        mosaic = image[1].copy()
-        mosaic[0::2, 0::2] = image[0][0::2, 0::2]
-        mosaic[1::2, 1::2] = image[2][1::2, 1::2]
+        if len(channels) == 1:
+            return channels[0]
+        mosaic = channels[1].copy()
+        mosaic[0::2, 0::2] = channels[0][0::2, 0::2]
+        mosaic[1::2, 1::2] = channels[2][1::2, 1::2]
         return mosaic
 
 

@@ -81,15 +81,16 @@ class Surface:
 
         def resample(values: FloatImage) -> FloatImage:
             if scale > 1:
-                values = cv2.GaussianBlur(values, (0, 0), 0.4 * scale)
-            warped: FloatImage = cv2.warpAffine(
-                values,
-                warp,
-                (grid[1], grid[0]),
-                flags=cv2.INTER_LINEAR | cv2.WARP_INVERSE_MAP,
-                borderMode=cv2.BORDER_REPLICATE,
+                values = as_float_image(cv2.GaussianBlur(values, (0, 0), 0.4 * scale))
+            return as_float_image(
+                cv2.warpAffine(
+                    values,
+                    warp,
+                    (grid[1], grid[0]),
+                    flags=cv2.INTER_LINEAR | cv2.WARP_INVERSE_MAP,
+                    borderMode=cv2.BORDER_REPLICATE,
+                )
             )
-            return warped
 
         channels = scene.albedo if scene.coloured else scene.albedo[..., None]
         if not colour:
@@ -140,10 +141,14 @@ class Surface:
 def block_mean(values: FloatImage, factor: int) -> FloatImage:
     """Means of ``factor`` x ``factor`` blocks of an array whose sides are multiples of it."""
     rows, columns = values.shape
-    mean: FloatImage = cv2.resize(
-        values, (columns // factor, rows // factor), interpolation=cv2.INTER_AREA
+    return as_float_image(
+        cv2.resize(values, (columns // factor, rows // factor), interpolation=cv2.INTER_AREA)
     )
-    return mean
+
+
+def as_float_image(values: object) -> FloatImage:
+    """What an OpenCV function returned, with its type stated."""
+    return np.asarray(values, dtype=np.float32)
 
 
 def _aligned(size: int) -> int:
@@ -153,4 +158,4 @@ def _aligned(size: int) -> int:
 def _slopes(height_px: FloatImage) -> tuple[FloatImage, FloatImage]:
     """(dz/dx, dz/dy) by central differences, y up."""
     down, across = np.gradient(height_px)
-    return across.astype(np.float32), (-down).astype(np.float32)
+    return as_float_image(across), as_float_image(-down)

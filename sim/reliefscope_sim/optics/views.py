@@ -28,7 +28,7 @@ from reliefscope_sim.optics.ray_kernels import (
     gaussian_taps,
     intersect,
 )
-from reliefscope_sim.optics.surface import Surface
+from reliefscope_sim.optics.surface import Surface, as_float_image
 
 AIRY_SIGMA = 0.42
 """Standard deviation of the Gaussian nearest to an Airy disc, in units of lambda f_o / d (eq. 2)."""
@@ -73,7 +73,7 @@ class Viewer:
         self._batches: ByteCache[list[_Batch]] = ByteCache(
             cache_bytes, lambda batches: sum(batch.depth.nbytes for batch in batches)
         )
-        self._bounds: dict[int, tuple[FloatImage, FloatImage]] = {}
+        self._bounds: dict[int, tuple[FloatImage, FloatImage, FloatImage]] = {}
 
     @property
     def spacing_mm(self) -> float:
@@ -98,11 +98,11 @@ class Viewer:
                     batch.depth,
                     batch.slopes,
                     batch.weights,
-                    np.float32(self._kappa_per_px),
+                    self._kappa_per_px,
                     self._centre,
                     self.surface.margin,
-                    np.float32(self.surface.lowest_px),
-                    np.float32(self._depth_step),
+                    self.surface.lowest_px,
+                    self._depth_step,
                     seen,
                 )
         if total is None:
@@ -136,27 +136,39 @@ class Viewer:
         steepest = float(np.hypot(slopes[:, 0], slopes[:, 1]).max()) + abs(
             self._kappa_per_px
         ) * math.hypot(rows, columns)
-        high, low = self._bounds_within(math.ceil(steepest * surface.reach_px) + 1)
+        high, low, rise = self._bounds_within(math.ceil(steepest * surface.reach_px) + 1)
         intersect(
             surface.height_px,
             high,
             low,
+            rise,
             slopes.astype(np.float32),
-            np.float32(self._kappa_per_px),
+            self._kappa_per_px,
             self._centre,
             surface.margin,
-            np.float32(surface.lowest_px),
-            np.float32(self._depth_step),
+            surface.lowest_px,
+            self._depth_step,
             depth,
         )
         return depth
 
-    def _bounds_within(self, reach: int) -> tuple[FloatImage, FloatImage]:
-        """Highest and lowest height within ``reach`` pixels of each; the last pair asked for is kept."""
+    def _bounds_within(self, reach: int) -> tuple[FloatImage, FloatImage, FloatImage]:
+        """Highest and lowest height and largest change per pixel within ``reach`` pixels of each pixel.
+
+        The last answer is kept: apertures at one distance from the axis ask for the same.
+        """
         if reach not in self._bounds:
             kernel = np.ones((2 * reach + 1, 2 * reach + 1), dtype=np.uint8)
             height = self.surface.height_px
-            self._bounds = {reach: (cv2.dilate(height, kernel), cv2.erode(height, kernel))}
+            across = np.abs(np.diff(height, axis=1, append=height[:, -1:]))
+            down = np.abs(np.diff(height, axis=0, append=height[-1:]))
+            self._bounds = {
+                reach: (
+                    as_float_image(cv2.dilate(height, kernel)),
+                    as_float_image(cv2.erode(height, kernel)),
+                    as_float_image(cv2.dilate(np.hypot(across, down), kernel)),
+                )
+            }
         return self._bounds[reach]
 
     def _diffract(self, image: FloatImage, points: PupilPoints) -> FloatImage:

@@ -22,7 +22,8 @@ def _albedo(seed: int, options: Options, shape: tuple[int, int], pixel_um: float
         return np.full(shape, mean, dtype=np.float32)
     generator = np.random.default_rng([seed, 0xA1B])
     field = speckle(generator, shape, (2.0 / pixel_um, 5.0 / pixel_um), (1.0, 0.7))
-    return np.clip(mean * (1 + texture * field), 0.0, 1.0).astype(np.float32)
+    albedo: FloatImage = np.clip(mean * (1 + texture * field), 0.0, 1.0).astype(np.float32)
+    return albedo
 
 
 def flat(seed: int, options: Options, shape: tuple[int, int], pixel_um: float) -> Scene:
