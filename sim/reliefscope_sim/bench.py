@@ -31,6 +31,7 @@ from reliefscope_sim.url import SimUrl
 
 POLL_US = 100
 """Time that looking for bytes or frames without waiting takes; a host that polls lets the clock run too."""
+_STEPS_IN_A_ROW = 64
 _NAP_S = 0.02
 """Longest sleep before a wait looks again whether it was cancelled."""
 
@@ -125,8 +126,11 @@ class Bench:
         with self._changed:
             self._catch_up()
             deadline_us = NEVER_US if timeout_us is None else self.time_us + timeout_us
+        turns = 0
         while True:
-            time.sleep(0)  # other threads get their turn at the lock
+            turns += 1
+            if turns % _STEPS_IN_A_ROW == 0:
+                time.sleep(0)  # other threads get their turn at the lock
             with self._changed:
                 self._catch_up()
                 if ready():
