@@ -10,10 +10,12 @@ from tests.reconstruction import scenes
 
 from reliefscope.errors import Cancelled, InvalidInputError
 from reliefscope.jobs import Job, Progress
-from reliefscope.reconstruction import mvs
+from reliefscope.reconstruction import matcher
+from reliefscope.reconstruction.matcher import Form
 from reliefscope.reconstruction.mvs import match_image, match_views, mean_ncc
 
 Array = NDArray[np.float64]
+FORMS: tuple[Form, Form] = ("pairs", "variance_of_sum")
 
 
 def keys_kernel(x: Array) -> Array:
@@ -137,8 +139,8 @@ def test_gain_and_offset_of_a_view_do_not_matter() -> None:
 def test_tiles_do_not_show(monkeypatch: pytest.MonkeyPatch) -> None:
     scene = scenes.render(scenes.plane(0.05, 0.1, 10.0))
     whole = mean_ncc(scene.views, scene.slopes, 17.3, scene.pixel_um)
-    monkeypatch.setattr(mvs, "TILE_COLUMNS", 37)
-    monkeypatch.setattr(mvs, "TILE_BYTES", 37 * 4 * 21)
+    monkeypatch.setattr(matcher, "TILE_COLUMNS", 37)
+    monkeypatch.setattr(matcher, "TILE_BYTES", 37 * 4 * 21)
     cut = mean_ncc(scene.views, scene.slopes, 17.3, scene.pixel_um)
     assert np.array_equal(np.isnan(whole), np.isnan(cut))
     assert np.nanmax(np.abs(whole - cut)) < 1e-6
@@ -165,6 +167,54 @@ def test_noise_floor_lowers_scores_by_the_share_of_noise() -> None:
     )
     inside = np.s_[7:-7, 7:-7]
     assert np.allclose(score[inside], (variance / (variance + floor))[inside], atol=1e-4)
+
+
+def test_variance_of_sum_is_the_mean_ncc_of_views_that_differ_by_a_gain() -> None:
+    scene = scenes.render(scenes.plane(0.0, 0.0, 20.0), noise=0.004)
+    gains = np.array([0.3, 1.0, 0.6, 0.8, 0.45, 0.9], dtype=np.float32)
+    views = scene.views * gains[:, None, None]
+    for height_um in (0.0, 11.3, 19.0, 20.0, 27.7):
+        pairs = mean_ncc(views, scene.slopes, height_um, scene.pixel_um)
+        by_sum = mean_ncc(views, scene.slopes, height_um, scene.pixel_um, form="variance_of_sum")
+        assert np.array_equal(np.isnan(pairs), np.isnan(by_sum))
+        assert np.nanmax(np.abs(pairs - by_sum)) < 0.03
+    assert np.nanmin(by_sum) >= -1.0
+
+
+def test_variance_of_sum_is_its_own_formula() -> None:
+    views = unequal_views((40, 44), 3, seed=6)
+    slopes = scenes.hexagon_slopes(3)
+    score = mean_ncc(views, slopes, 0.0, 1.0, form="variance_of_sum", noise_variance=1e-3)
+    gains = matcher.equal_gains(views)
+    assert gains.mean() == pytest.approx(1.0)
+    scaled = views.astype(np.float64) * gains[:, None, None]
+    for row, col in ((7, 7), (20, 20), (32, 36), (15, 30)):
+        box = scaled[:, row - 7 : row + 8, col - 7 : col + 8].reshape(3, -1)
+        own = box.var(axis=1).sum()
+        expected = (box.sum(axis=0).var() - own) / (2 * (own + 1e-3 * (gains**2).sum()))
+        assert score[row, col] == pytest.approx(expected, abs=1e-5)
+
+
+def test_variance_of_sum_finds_the_same_surface() -> None:
+    scene = scenes.render(scenes.dome((96, 128), 30, 40.0), noise=0.005)
+    heights = np.arange(-6.0, 50.0, 2.0)
+    both = [
+        match_views(scene.views, scene.slopes, heights, scene.pixel_um, parabola=True, form=form)
+        for form in FORMS
+    ]
+    errors = [np.abs(result.height_um - scene.height_um) for result in both]
+    assert np.nanmedian(errors[1]) < 1.1 * np.nanmedian(errors[0])
+    assert np.array_equal(np.isnan(errors[0]), np.isnan(errors[1]))
+
+
+def test_a_dark_view_does_not_silence_the_others() -> None:
+    views = unequal_views((40, 44), 3, seed=6)
+    views[1] = 0.0
+    gains = matcher.equal_gains(views)
+    assert gains[1] <= 101 * gains[[0, 2]].max()
+    score = mean_ncc(views, scenes.hexagon_slopes(3), 0.0, 1.0)
+    assert 0.2 < np.nanmedian(score) < 0.34  # one pair of three
+    assert np.array_equal(matcher.equal_gains(np.zeros((2, 5, 5), np.float32)), [1.0, 1.0])
 
 
 def test_sign_of_the_numeric_example() -> None:
@@ -249,7 +299,7 @@ def test_progress_is_reported_and_a_request_to_stop_is_honoured(
     monkeypatch: pytest.MonkeyPatch,
 ) -> None:
     scene = scenes.render(scenes.plane(0.0, 0.1, 8.0), shape=(48, 64))
-    monkeypatch.setattr(mvs, "TILE_COLUMNS", 16)
+    monkeypatch.setattr(matcher, "TILE_COLUMNS", 16)
     events: list[Progress] = []
     job = Job(events.append)
     match_views(scene.views, scene.slopes, np.arange(9.0), scene.pixel_um, job=job)

@@ -22,27 +22,17 @@ from numpy.typing import ArrayLike, NDArray
 from reliefscope.errors import InvalidInputError
 from reliefscope.jobs import Job, ensure_job
 from reliefscope.reconstruction import tiles
-from reliefscope.reconstruction.ncc_kernels import pick_heights, score_tile, vertex_height
-from reliefscope.reconstruction.shifts import (
-    TAPS,
-    ShiftPlan,
-    plan_shifts,
-    sample_block,
-    valid_span,
-)
+from reliefscope.reconstruction.matcher import LEAST_SHARE, Form, Matcher, Tile
+from reliefscope.reconstruction.ncc_kernels import pick_heights, vertex_height
+from reliefscope.reconstruction.shifts import plan_shifts, valid_span
 from reliefscope.units import BoolImage, FloatImage
 
 WINDOW = 15
 """Side of the correlation window in pixels (paper)."""
 QUALITY_THRESHOLD = 0.25
 """Quality below which the paper discards a height."""
-LEAST_SHARE = 0.5
-"""Share of pairs that a score needs, and of heights with a score that a pixel needs."""
 LEAST_BASELINE_PX = 0.1
 """Parallax over the whole range of heights below which views tell nothing about height."""
-TILE_COLUMNS = 498
-TILE_BYTES = 24_000_000
-"""Scores of one tile over all heights: what one thread keeps."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -79,6 +69,7 @@ def mean_ncc(
     window: int = WINDOW,
     *,
     noise_variance: float = 0.0,
+    form: Form = "pairs",
 ) -> FloatImage:
     """Mean of eq. 3 over all pairs of views for one height.
 
@@ -98,6 +89,10 @@ def mean_ncc(
         Added to each window's variance in the denominator, full scale squared: the variance that sensor
         noise alone gives keeps dark and flat areas from winning.  The paper has none (0).  A window with
         a standard deviation below 1e-6 counts as flat and scores 0.
+    form:
+        ``pairs`` is eq. 3 exactly (the paper).  ``variance_of_sum`` takes work per view instead of per pair
+        and equals it where views differ by one gain each; contrasts that differ within the image weigh
+        the pairs (:mod:`reliefscope.reconstruction.ncc_sum_kernels`).
 
     Returns
     -------
@@ -105,12 +100,12 @@ def mean_ncc(
     """
     images, s = _checked(views, slopes, pixel_um, window)
     heights = np.array([height_um], dtype=np.float64)
-    matcher = _Matcher(images, plan_shifts(s, heights, pixel_um), window, noise_variance)
+    matcher = Matcher(images, plan_shifts(s, heights, pixel_um), window, noise_variance, form)
     score = np.empty(images.shape[1:], dtype=np.float32)
 
-    def work(tile: NDArray[np.int64]) -> None:
+    def work(tile: Tile) -> None:
         part = score[tile[0] : tile[1], tile[2] : tile[3]]
-        part[...] = matcher.curves(tile)[0, :, : part.shape[1]]
+        part[...] = matcher.curves(tile)[0]
 
     places = matcher.tiles()
     with Job().stage("score", len(places)) as stage:
@@ -128,12 +123,13 @@ def match_views(
     *,
     parabola: bool = False,
     noise_variance: float = 0.0,
+    form: Form = "pairs",
 ) -> MvsResult:
     """Height and quality of every pixel by exhaustive search over ``heights_um``.
 
     Parameters
     ----------
-    views, slopes, pixel_um, window, noise_variance:
+    views, slopes, pixel_um, window, noise_variance, form:
         As in :func:`mean_ncc`.
     heights_um:
         (N,) candidate heights, increasing, at least three.
@@ -152,14 +148,14 @@ def match_views(
     images, s = _checked(views, slopes, pixel_um, window)
     heights = _checked_heights(heights_um)
     _check_baseline(s, heights, pixel_um)
-    matcher = _Matcher(images, plan_shifts(s, heights, pixel_um), window, noise_variance)
+    matcher = Matcher(images, plan_shifts(s, heights, pixel_um), window, noise_variance, form)
     shape = images.shape[1:]
     height_um = np.empty(shape, dtype=np.float32)
     quality = np.empty(shape, dtype=np.float32)
     peak = np.empty(shape, dtype=np.float32)
     least_scores = max(1, math.ceil(LEAST_SHARE * heights.size))
 
-    def work(tile: NDArray[np.int64]) -> None:
+    def work(tile: Tile) -> None:
         part = (slice(tile[0], tile[1]), slice(tile[2], tile[3]))
         pick_heights(
             matcher.curves(tile),
@@ -208,7 +204,7 @@ def match_image(
             "The views have no area in common over the whole range of heights.",
             hint="Narrow the range of heights, or use a larger image.",
         )
-    matcher = _Matcher(images, plan, 1, 0.0)
+    matcher = Matcher(images, plan, 1)
     scores = np.empty(heights.size, dtype=np.float64)
 
     def work(n: int) -> None:
@@ -223,95 +219,6 @@ def match_image(
             vertex_height(heights, best, scores[best - 1], scores[best], scores[best + 1])
         )
     return ImageMatch(height, float(scores[best]), scores)
-
-
-class _Matcher:
-    """Views prepared for sampling at any of the planned shifts."""
-
-    def __init__(
-        self, views: FloatImage, plan: ShiftPlan, window: int, noise_variance: float
-    ) -> None:
-        count, height, width = views.shape
-        reach = int(max(np.abs(plan.row_whole).max(), np.abs(plan.col_whole).max()))
-        if reach >= min(height, width):
-            raise InvalidInputError(
-                f"A candidate height moves a view by {reach} pixels, more than the image's "
-                f"{min(height, width)}.",
-                hint="Check the range of heights, pixel_um and the slopes of the views.",
-            )
-        self.plan = plan
-        self.window = window
-        self.noise_variance = noise_variance
-        self.shape = (height, width)
-        self.pairs = count * (count - 1) / 2
-        self.margin = reach + window // 2 + TAPS
-        m = self.margin
-        self.padded = np.empty((count, height + 2 * m, width + 2 * m), dtype=np.float32)
-        for k, view in enumerate(views):
-            self.padded[k] = np.pad(view, m, mode="edge")
-        rows = valid_span(plan.row_px, height, window // 2)
-        cols = valid_span(plan.col_px, width, window // 2)
-        self.spans = np.stack([*rows, *cols], axis=-1)
-
-    def tiles(self) -> list[NDArray[np.int64]]:
-        """Tiles whose scores over all heights stay within :data:`TILE_BYTES`."""
-        columns = tiles.spans(self.shape[1], TILE_COLUMNS)
-        widest = max(stop - first for first, stop in columns)
-        tallest = TILE_BYTES // (4 * widest * self.plan.row_px.shape[0])
-        rows = tiles.spans(self.shape[0], min(max(tallest, 16), 128))
-        return [np.array([*row, *col], dtype=np.int64) for row in rows for col in columns]
-
-    def curves(self, tile: NDArray[np.int64]) -> FloatImage:
-        """Scores (N, rows, columns or more) of a tile."""
-        scores = np.empty(
-            (self.plan.row_px.shape[0], int(tile[1] - tile[0]), int(tile[3] - tile[2])),
-            dtype=np.float32,
-        )
-        score_tile(
-            self.padded,
-            self.margin,
-            self.plan.row_whole,
-            self.plan.col_whole,
-            self.plan.row_weights,
-            self.plan.col_weights,
-            self.spans,
-            tile,
-            self.window,
-            self.noise_variance,
-            LEAST_SHARE * self.pairs,
-            scores,
-        )
-        return scores
-
-    def image_score(self, n: int, box: tuple[int, int, int, int]) -> float:
-        """Mean of eq. 3 over all pairs for height ``n``, the window being ``box``."""
-        top, bottom, left, right = box
-        views = self.padded.shape[0]
-        line = np.empty(right - left + TAPS, dtype=np.float32)
-        first = np.zeros(views)
-        gram = np.zeros((views, views))
-        for start, stop in tiles.spans(bottom - top, 64):
-            block = np.empty((views, stop - start, right - left), dtype=np.float32)
-            for k in range(views):
-                sample_block(
-                    self.padded[k],
-                    self.margin + top + start + self.plan.row_whole[n, k],
-                    self.margin + left + self.plan.col_whole[n, k],
-                    self.plan.row_weights[n, k],
-                    self.plan.col_weights[n, k],
-                    np.float32(0.0),
-                    line,
-                    block[k],
-                )
-            flat = block.reshape(views, -1).astype(np.float64)
-            first += flat.sum(axis=1)
-            gram += flat @ flat.T
-        count = (bottom - top) * (right - left)
-        covariance = gram / count - np.outer(first, first) / count**2
-        deviation = np.sqrt(np.maximum(np.diag(covariance), 0.0))
-        scale = np.outer(deviation, deviation)
-        ncc = np.divide(covariance, scale, out=np.zeros_like(scale), where=scale > 0.0)
-        return float(np.clip(ncc[np.triu_indices(views, 1)].mean(), -1.0, 1.0))
 
 
 def _checked(

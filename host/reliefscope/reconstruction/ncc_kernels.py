@@ -35,19 +35,21 @@ LANE = 16
 
 
 @njit(cache=True, nogil=True, error_model="numpy", fastmath={"contract"})
-def _exchange(total: F64, a: F32, b: F32, old_a: F32, old_b: F32) -> None:
+def exchange_products(total: F64, a: F32, b: F32, old_a: F32, old_b: F32) -> None:
+    """Column sums of the products of two rows: one row enters the window, one leaves."""
     for x in range(total.size):
         total[x] += np.float64(a[x]) * b[x] - np.float64(old_a[x]) * old_b[x]
 
 
 @njit(cache=True, nogil=True, error_model="numpy")
-def _exchange_one(total: F64, a: F32, old_a: F32) -> None:
+def exchange_one(total: F64, a: F32, old_a: F32) -> None:
+    """Column sums of one view: one row enters the window, one leaves."""
     for x in range(total.size):
         total[x] += np.float64(a[x]) - np.float64(old_a[x])
 
 
 @njit(cache=True, nogil=True, error_model="numpy")
-def _window_sums(columns: F64, window: int, triples: F64, out: F64) -> None:
+def window_sums(columns: F64, window: int, triples: F64, out: F64) -> None:
     """Sums of ``window`` neighbours, by sums of three: ``out[x] = columns[x] + ... + columns[x + window - 1]``."""
     width = out.size
     for x in range(columns.size - 2):
@@ -125,12 +127,25 @@ def _cross_row(
         partial[:] = 0.0
         for j in range(i + 1, views):
             column = products[i, j]
-            _exchange(column, a, samples[j, y], old_a, samples[j, leaving])
+            exchange_products(column, a, samples[j, y], old_a, samples[j, leaving])
             if scored:
-                _window_sums(column, window, triples, sums)
+                window_sums(column, window, triples, sums)
                 _add_scaled(partial, gains[j], sums)
         if scored:
             _add_scaled(total, gains[i], partial)
+
+
+@njit(cache=True, nogil=True, error_model="numpy")
+def tile_offsets(padded: F32, margin: int, tile: I64) -> F32:
+    """Mean (K,) of each view over a tile: taken off first, so that sums stay small."""
+    offsets = np.empty(padded.shape[0], dtype=np.float32)
+    for k in range(offsets.size):
+        total = 0.0
+        for r in range(margin + tile[0], margin + tile[1]):
+            for c in range(margin + tile[2], margin + tile[3]):
+                total += padded[k, r, c]
+        offsets[k] = np.float32(total / ((tile[1] - tile[0]) * (tile[3] - tile[2])))
+    return offsets
 
 
 @njit(cache=True, nogil=True, error_model="numpy")
@@ -179,7 +194,7 @@ def score_tile(
 
     samples = np.zeros((views, depth + 1, stride), dtype=np.float32)  # the last row stays dark
     line = np.empty(width + 4, dtype=np.float32)
-    offsets = np.empty(views, dtype=np.float32)
+    offsets = tile_offsets(padded, margin, tile)
     firsts = np.empty((views, stride), dtype=np.float64)
     products = np.empty((views, views, stride), dtype=np.float64)
     triples = np.empty(stride, dtype=np.float64)
@@ -191,13 +206,6 @@ def score_tile(
     partial = np.empty(cols, dtype=np.float64)
     total = np.empty(cols, dtype=np.float64)
     valid = np.empty(cols, dtype=np.float64)
-
-    for k in range(views):
-        mean = 0.0
-        for r in range(rows):
-            for c in range(cols):
-                mean += padded[k, margin + top + r, margin + left + c]
-        offsets[k] = np.float32(mean / (rows * cols))
 
     for n in range(heights):
         for k in range(views):
@@ -223,8 +231,8 @@ def score_tile(
             total[:] = 0.0
             for k in range(views):
                 a, old_a = samples[k, y], samples[k, leaving]
-                _exchange_one(firsts[k], a, old_a)
-                _exchange(products[k, k], a, a, old_a, old_a)
+                exchange_one(firsts[k], a, old_a)
+                exchange_products(products[k, k], a, a, old_a, old_a)
                 if r < 0:
                     continue
                 gain = gains[k]
@@ -233,8 +241,8 @@ def score_tile(
                 stop_col = min(spans[n, k, 3] - left, cols)
                 if row < spans[n, k, 0] or row >= spans[n, k, 1] or stop_col <= first_col:
                     continue
-                _window_sums(firsts[k], window, triples, sums)
-                _window_sums(products[k, k], window, triples, sums_squares)
+                window_sums(firsts[k], window, triples, sums)
+                window_sums(products[k, k], window, triples, sums_squares)
                 _view_gain(
                     sums[first_col:stop_col],
                     sums_squares[first_col:stop_col],
