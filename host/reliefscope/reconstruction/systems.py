@@ -1,0 +1,206 @@
+"""The normal equations of eq. 12 as operators that are never written out as a matrix.
+
+Three kinds of equation hold a surface z (H, W): ``hold`` pulls a pixel to a height, and a slope in
+x and one in y pull on its neighbourhood.  How a slope is taken from z is the difference between the
+systems.
+
+The Sobel operator of eq. 9 is the mean of the six differences between neighbours in its 3 x 3
+window, weighted 1, 2, 1 across.  A mean does not see how its terms differ among themselves: every
+(-1)^x g(y) and f(x) (-1)^y has Sobel derivatives of exactly zero, so that noise of the slopes comes
+out as stripes and chequerboards and, where no height is known, the system is singular.
+:class:`SobelSystem` therefore also takes a ``stabiliser`` e: it adds e times the mean of the
+squared deviations of the six single differences from the slope,
+
+    q^2 [(mean_i d_i - s)^2 + e mean_i (d_i - s)^2].
+
+Both terms ask for the same slope, so a surface that fits the slopes is not changed; but no surface
+other than a constant is invisible to the second.  By Cauchy-Schwarz the first is never larger than
+the second without its factor, which is therefore the preconditioner, and bounds the condition
+number by 1 + 1 / e.
+"""
+
+from __future__ import annotations
+
+import math
+from typing import Any, Protocol
+
+import numpy as np
+from numpy.typing import NDArray
+
+from reliefscope.reconstruction import fusion_kernels as kernels
+from reliefscope.reconstruction.multigrid import Multigrid
+
+Field = NDArray[np.float64]
+Slopes = NDArray[np.floating[Any]]
+
+
+class System(Protocol):
+    """Symmetric positive semi-definite operator with right-hand side and preconditioner."""
+
+    @property
+    def right(self) -> Field:
+        """Right-hand side (H, W)."""
+
+    @property
+    def softness(self) -> float:
+        """Energy per um^2 and pixel of the softest smooth mode: turns energy into height."""
+
+    def apply(self, z: Field, out: Field) -> None:
+        """Write the operator's value at ``z`` (H, W) to ``out`` (H, W)."""
+
+    def touched(self) -> NDArray[np.bool_]:
+        """Pixels (H, W) that any equation holds."""
+
+    def preconditioner(self) -> Multigrid:
+        """Multigrid whose cycle approximates the inverse."""
+
+
+class SobelSystem:
+    """Eq. 12 with the Sobel operators of eq. 9, one pair of slope equations per pixel.
+
+    The outermost pixels have no whole window: their slope equations are left out.
+
+    Parameters
+    ----------
+    hold:
+        (H, W) squared weights of the heights, ``(lambda q_mvs)^2``.
+    target_um:
+        (H, W) heights to hold; finite everywhere.
+    slope_x, slope_y:
+        (H, W) slopes dz/dx and dz/dy, y up; finite everywhere.
+    quality:
+        (H, W) weights of the slopes.
+    pixel_um:
+        Size of a pixel on the sample.
+    stabiliser:
+        e of the module's text; 0 is the literal form.
+    """
+
+    def __init__(
+        self,
+        hold: Field,
+        target_um: Field,
+        slope_x: Slopes,
+        slope_y: Slopes,
+        quality: Slopes,
+        pixel_um: float,
+        stabiliser: float = 0.0,
+    ) -> None:
+        self._hold = hold
+        weight = quality.astype(np.float64) ** 2 / pixel_um**2
+        for border in (weight[:1], weight[-1:], weight[:, :1], weight[:, -1:]):
+            border[...] = 0.0
+        self._weight = weight
+        height, width = hold.shape
+        self._flux_x = np.zeros((height + 2, width + 2))
+        self._flux_y = np.zeros((height + 2, width + 2))
+        rise_x = weight * slope_x * pixel_um
+        rise_y = weight * slope_y * pixel_um
+        self._flux_x[1:-1, 1:-1] = rise_x
+        self._flux_y[1:-1, 1:-1] = rise_y
+        self.right = np.empty_like(hold)
+        kernels.sobel_gather(hold, target_um, self._flux_x, self._flux_y, self.right)
+        self._across, self._down = _spread_across(weight), _spread_across(weight.T).T
+        self._stiffness = stabiliser
+        if stabiliser > 0.0:
+            across = stabiliser * _spread_across(rise_x)
+            down = -stabiliser * _spread_across(rise_y.T).T
+            _add_rises(self.right, across, down)
+            self._weak_across = stabiliser * self._across
+            self._weak_down = stabiliser * self._down
+        self.softness = _softness(hold, weight)
+
+    def apply(self, z: Field, out: Field) -> None:
+        """Normal operator ``hold + Tx' Q^2 Tx + Ty' Q^2 Ty`` plus the stabiliser, at ``z``."""
+        kernels.sobel_fluxes(z, self._weight, self._flux_x, self._flux_y)
+        kernels.sobel_gather(self._hold, z, self._flux_x, self._flux_y, out)
+        if self._stiffness > 0.0:
+            kernels.spring_add(self._weak_across, self._weak_down, z, out)
+
+    def touched(self) -> NDArray[np.bool_]:
+        """Pixels that are held or lie in the window of a slope equation."""
+        return _touched(self._hold, self._across, self._down)
+
+    def preconditioner(self) -> Multigrid:
+        """Multigrid of the single differences, at the full weight of the slope equations."""
+        factor = 1.0 + self._stiffness
+        return Multigrid(self._hold, factor * self._across, factor * self._down)
+
+
+class ForwardSystem:
+    """Eq. 12 with the difference of two neighbours, asked for the slope of either, half each.
+
+    Nothing but a constant is invisible to it, and it has the fewest unknowns per equation: the
+    sharpest and fastest form, and the one that hands a wrong slope at an edge on least forgivingly.
+    Parameters as of :class:`SobelSystem`.
+    """
+
+    def __init__(
+        self,
+        hold: Field,
+        target_um: Field,
+        slope_x: Slopes,
+        slope_y: Slopes,
+        quality: Slopes,
+        pixel_um: float,
+    ) -> None:
+        self._hold = hold
+        weight = quality.astype(np.float64) ** 2 / pixel_um**2
+        rise_x = weight * slope_x * pixel_um
+        rise_y = weight * slope_y * pixel_um
+        self._across = 0.5 * (weight[:, 1:] + weight[:, :-1])
+        self._down = 0.5 * (weight[1:] + weight[:-1])
+        self.right = hold * target_um
+        # the row below lies lower in y
+        _add_rises(
+            self.right, 0.5 * (rise_x[:, 1:] + rise_x[:, :-1]), -0.5 * (rise_y[1:] + rise_y[:-1])
+        )
+        self.softness = _softness(hold, weight)
+
+    def apply(self, z: Field, out: Field) -> None:
+        """Springs between neighbours plus ``hold``, at ``z``."""
+        np.multiply(self._hold, z, out=out)
+        kernels.spring_add(self._across, self._down, z, out)
+
+    def touched(self) -> NDArray[np.bool_]:
+        """Pixels that are held or joined to a neighbour."""
+        return _touched(self._hold, self._across, self._down)
+
+    def preconditioner(self) -> Multigrid:
+        """Multigrid of the very same springs."""
+        return Multigrid(self._hold, self._across, self._down)
+
+
+def _spread_across(values: Field) -> Field:
+    """Share (H, W-1) of every horizontal difference in the Sobel windows that contain it.
+
+    ``values`` (H, W) belong to windows and are zero on the border, where there is none.
+    """
+    rows = 0.5 * values
+    rows[1:] += 0.25 * values[:-1]
+    rows[:-1] += 0.25 * values[1:]
+    spread: Field = 0.5 * (rows[:, 1:] + rows[:, :-1])
+    return spread
+
+
+def _add_rises(right: Field, across: Field, down: Field) -> None:
+    """Add weight times wanted rise of the springs across and down to a right-hand side."""
+    right[:, 1:] += across
+    right[:, :-1] -= across
+    right[1:] += down
+    right[:-1] -= down
+
+
+def _touched(hold: Field, across: Field, down: Field) -> NDArray[np.bool_]:
+    held: NDArray[np.bool_] = hold > 0.0
+    held[:, 1:] |= across > 0.0
+    held[:, :-1] |= across > 0.0
+    held[1:] |= down > 0.0
+    held[:-1] |= down > 0.0
+    return held
+
+
+def _softness(hold: Field, weight: Field) -> float:
+    """Energy per um^2 and pixel of the softest smooth mode: held by heights, or a half wave of slopes."""
+    wave: float = (math.pi / max(hold.shape)) ** 2 * float(weight.mean())
+    return max(float(hold.mean()), wave)
