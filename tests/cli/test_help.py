@@ -6,7 +6,17 @@ import sys
 
 import pytest
 
-COMMANDS = ["demo", "acquire", "reconstruct", "evaluate", "verify", "info", "import", "doctor", "tui"]
+COMMANDS = [
+    "demo",
+    "acquire",
+    "reconstruct",
+    "evaluate",
+    "verify",
+    "info",
+    "import",
+    "doctor",
+    "tui",
+]
 HEAVY = ["numpy", "numba", "scipy", "textual", "matplotlib", "cv2", "zarr", "serial"]
 PROGRAM = """
 import sys, json

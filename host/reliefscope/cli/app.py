@@ -37,26 +37,21 @@ app.command("info", rich_help_panel="Look after runs")(dataset.info)
 app.command("verify", rich_help_panel="Look after runs")(dataset.verify)
 
 
-def _version(wanted: bool) -> None:
-    if wanted:
-        typer.echo(f"reliefscope {__version__}")
-        raise typer.Exit
-
-
 @app.callback(invoke_without_command=True)
 def _common(
     context: typer.Context,
     verbose: Annotated[
-        int, typer.Option("--verbose", "-v", count=True, help="Log what is done; twice: every detail.")
+        int,
+        typer.Option("--verbose", "-v", count=True, help="Log what is done; twice: every detail."),
     ] = 0,
     debug: Annotated[
         bool, typer.Option("--debug", help="Show the traceback of an error, and log every detail.")
     ] = False,
-    version: Annotated[
-        bool,
-        typer.Option("--version", callback=_version, is_eager=True, help="Print the version."),
-    ] = False,
+    version: Annotated[bool, typer.Option("--version", help="Print the version.")] = False,
 ) -> None:
+    if version:
+        typer.echo(f"reliefscope {__version__}")
+        raise typer.Exit
     if context.invoked_subcommand is None:
         typer.echo(context.get_help())
         raise typer.Exit(ExitCode.USAGE)

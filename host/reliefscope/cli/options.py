@@ -47,7 +47,9 @@ DeviceOption = Annotated[
 ]
 CameraOption = Annotated[
     str | None,
-    typer.Option("--camera", metavar="URL", help="Camera; that of the device's URL where it has one."),
+    typer.Option(
+        "--camera", metavar="URL", help="Camera; that of the device's URL where it has one."
+    ),
 ]
 ProfileOption = Annotated[
     str | None,
@@ -59,12 +61,16 @@ ProfileOption = Annotated[
 ]
 CalibrationOption = Annotated[
     Path | None,
-    typer.Option("--calibration", metavar="FILE", help="Calibration to use instead of the one in force."),
+    typer.Option(
+        "--calibration", metavar="FILE", help="Calibration to use instead of the one in force."
+    ),
 ]
 RunArgument = Annotated[Path, typer.Argument(metavar="RUN", help="Folder of the run.")]
 SizeOption = Annotated[
     str | None,
-    typer.Option("--size", metavar="WxH", help="Simulate only the central W x H pixels of the camera."),
+    typer.Option(
+        "--size", metavar="WxH", help="Simulate only the central W x H pixels of the camera."
+    ),
 ]
 
 
@@ -75,7 +81,8 @@ def parse_size(text: str | None) -> tuple[int, int] | None:
     match = re.fullmatch(r"\s*(\d+)\s*[xX×]\s*(\d+)\s*", text)
     if match is None:
         raise InvalidInputError(
-            f"`{text}` is no frame size.", hint="Write columns x rows, for example `--size 320x240`."
+            f"`{text}` is no frame size.",
+            hint="Write columns x rows, for example `--size 320x240`.",
         )
     columns, rows = int(match[1]), int(match[2])
     if columns < 16 or rows < 16:

@@ -101,9 +101,8 @@ class SparseLines:
 @contextmanager
 def _bar(job: Job) -> Iterator[None]:
     from rich.console import Console
-    from rich.progress import BarColumn, MofNCompleteColumn, TextColumn
+    from rich.progress import BarColumn, MofNCompleteColumn, TaskID, TextColumn
     from rich.progress import Progress as Bar
-    from rich.progress import TaskID
 
     bar = Bar(
         TextColumn("[bold]{task.description:<14}"),

@@ -27,7 +27,9 @@ SECTIONS = {
 
 def show_facts(console: Console, title: str, facts: Mapping[str, Any]) -> None:
     """Names and values, two columns; nested facts are indented."""
-    table = Table(title=title, show_header=False, box=None, title_justify="left", title_style="bold")
+    table = Table(
+        title=title, show_header=False, box=None, title_justify="left", title_style="bold"
+    )
     table.add_column(style="cyan", no_wrap=True)
     table.add_column(overflow="fold")
     _add_facts(table, facts, "")

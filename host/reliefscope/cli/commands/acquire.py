@@ -28,7 +28,9 @@ if TYPE_CHECKING:
 def acquire(
     out: Annotated[
         Path | None,
-        typer.Option("--out", "-o", help="Folder of the new run; runs/run-001 and so on if left out."),
+        typer.Option(
+            "--out", "-o", help="Folder of the new run; runs/run-001 and so on if left out."
+        ),
     ] = None,
     device: DeviceOption = DEFAULT_DEVICE,
     camera: CameraOption = None,
@@ -46,13 +48,18 @@ def acquire(
         typer.Option("--settle-ms", help="Wait after a change of the glass instead of the plan's."),
     ] = None,
     sample: Annotated[str, typer.Option("--sample", help="Name of the sample.")] = "",
-    notes: Annotated[str, typer.Option("--notes", help="Anything worth keeping with the run.")] = "",
+    notes: Annotated[
+        str, typer.Option("--notes", help="Anything worth keeping with the run.")
+    ] = "",
     resume: Annotated[
         Path | None,
-        typer.Option("--resume", metavar="RUN", help="Go on with this run: take only what is missing."),
+        typer.Option(
+            "--resume", metavar="RUN", help="Go on with this run: take only what is missing."
+        ),
     ] = None,
     dry_run: Annotated[
-        bool, typer.Option("--dry-run", help="Show what would be taken, and how long; move nothing.")
+        bool,
+        typer.Option("--dry-run", help="Show what would be taken, and how long; move nothing."),
     ] = False,
     as_json: JsonFlag = False,
     progress: ProgressOption = ProgressMode.AUTO,
@@ -77,9 +84,7 @@ def acquire(
                 if dry_run:
                     _show_plan(this, instrument, chosen)
                     return
-                run = instrument.acquire(
-                    chosen, out, job=this.job, sample=sample, notes=notes
-                )
+                run = instrument.acquire(chosen, out, job=this.job, sample=sample, notes=notes)
     _show_run(this, run)
 
 
@@ -105,7 +110,9 @@ def _plan(
         changes["settle_ms"] = settle_ms
     if not changes:
         return plan
-    return parse_model(Plan, {**plan.model_dump(mode="json"), **changes}, "The plan of these options")
+    return parse_model(
+        Plan, {**plan.model_dump(mode="json"), **changes}, "The plan of these options"
+    )
 
 
 def _show_plan(this: Session, instrument: Microscope, plan: Plan) -> None:

@@ -9,6 +9,7 @@ import typer
 
 from reliefscope.cli.options import JsonFlag, ProgressMode, ProgressOption, RunArgument
 from reliefscope.cli.session import session
+from reliefscope.errors import ExitCode
 
 if TYPE_CHECKING:
     from rich.console import Console
@@ -20,7 +21,9 @@ def import_photographs(
     ],
     out: Annotated[
         Path | None,
-        typer.Option("--out", "-o", help="Folder of the new run; runs/NAME-001 and so on if left out."),
+        typer.Option(
+            "--out", "-o", help="Folder of the new run; runs/NAME-001 and so on if left out."
+        ),
     ] = None,
     as_json: JsonFlag = False,
     progress: ProgressOption = ProgressMode.AUTO,
@@ -62,11 +65,13 @@ def verify(
     """Read every frame of a run again and compare it with its checksum. Changes nothing."""
     with session(progress, as_json=as_json) as this:
         from reliefscope import microscope
-        from reliefscope.cli.tables import show_facts
 
         report = microscope.open_run(run).verify(job=this.job)
-        facts = microscope.verification_facts(report)
-    if as_json and not report.ok:
-        report.raise_for_damage()
-    this.result(facts, lambda console: show_facts(console, "Verification", facts))
-    report.raise_for_damage()
+
+    def show(console: Console) -> None:
+        console.print(f"{report.verified} of {report.planned} frames are as they were recorded.")
+
+    this.result(report.as_dict(), show)
+    if not report.ok and as_json:
+        raise typer.Exit(ExitCode.VERIFICATION)
+    report.require_ok()

@@ -20,10 +20,14 @@ from reliefscope.cli.session import session
 def demo(
     out: Annotated[
         Path | None,
-        typer.Option("--out", "-o", help="Folder of the new run; runs/demo-001 and so on if left out."),
+        typer.Option(
+            "--out", "-o", help="Folder of the new run; runs/demo-001 and so on if left out."
+        ),
     ] = None,
     size: SizeOption = None,
-    scene: Annotated[str, typer.Option("--scene", help="What lies under the objective.")] = "fiducial",
+    scene: Annotated[
+        str, typer.Option("--scene", help="What lies under the objective.")
+    ] = "fiducial",
     finish: Annotated[
         str | None, typer.Option("--finish", help="Finish of the fiducial: dull, half or metallic.")
     ] = None,
@@ -31,9 +35,7 @@ def demo(
     profile: Annotated[
         str, typer.Option("--profile", help="Instrument to simulate: benchtop or miniature.")
     ] = "benchtop",
-    method: Annotated[
-        str, typer.Option("--method", help="Reconstruction method.")
-    ] = "paper",
+    method: Annotated[str, typer.Option("--method", help="Reconstruction method.")] = "paper",
     as_json: JsonFlag = False,
     progress: ProgressOption = ProgressMode.AUTO,
 ) -> None:

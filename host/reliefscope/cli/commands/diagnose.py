@@ -1,4 +1,4 @@
-"""``reliefscope doctor``: is everything here that the instrument needs?"""
+"""``reliefscope doctor``: whether everything is here that the instrument needs."""
 
 from __future__ import annotations
 

@@ -18,7 +18,9 @@ def evaluate(
     ] = None,
     seed: Annotated[
         int | None,
-        typer.Option("--seed", help="Seed of the fiducial; the one that the run tells if left out."),
+        typer.Option(
+            "--seed", help="Seed of the fiducial; the one that the run tells if left out."
+        ),
     ] = None,
     as_json: JsonFlag = False,
     progress: ProgressOption = ProgressMode.AUTO,

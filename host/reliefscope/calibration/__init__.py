@@ -1,0 +1,1 @@
+"""Finding out how the instrument on the bench departs from its profile."""

@@ -1,0 +1,228 @@
+"""The screen, driven by a pilot, over a microscope that remembers what it was told."""
+
+from collections.abc import Awaitable, Callable
+from pathlib import Path
+
+import numpy as np
+import pytest
+from tests.tui.fakes import FakeMicroscope
+from textual.pilot import Pilot
+from textual.widgets import Input
+
+from reliefscope.errors import DeviceError
+from reliefscope.tui.app import ReliefscopeApp
+from reliefscope.tui.dome import DomeMap
+from reliefscope.tui.glass import GlassView
+from reliefscope.tui.screens import AcquireScreen, ConnectScreen, HelpScreen
+
+URL = "fake://bench"
+DEVICES = [("/dev/ttyFAKE", "a port"), (URL, "the bench")]
+
+
+class Desk:
+    """The application and every microscope that it opened."""
+
+    def __init__(self, url: str | None = URL) -> None:
+        self.opened: list[FakeMicroscope] = []
+        self.refuse: DeviceError | None = None
+        self.app = ReliefscopeApp(self._open, url, lambda: DEVICES)  # type: ignore[arg-type]
+
+    def _open(self, url: str) -> FakeMicroscope:
+        if self.refuse is not None:
+            raise self.refuse
+        self.opened.append(FakeMicroscope(url))
+        return self.opened[-1]
+
+    @property
+    def microscope(self) -> FakeMicroscope:
+        return self.opened[-1]
+
+    @property
+    def messages(self) -> str:
+        """All of them in one line, however the panel wraps."""
+        return " ".join(" ".join(strip.text for strip in self.app._messages.lines).split())
+
+
+async def until(pilot: Pilot[None], ready: Callable[[], object], seconds: float = 5.0) -> None:
+    for _ in range(round(seconds / 0.02)):
+        if ready():
+            return
+        await pilot.pause(0.02)
+    pytest.fail("the screen did not get there in time")
+
+
+Driven = Callable[[Pilot[None], Desk], Awaitable[None]]
+
+
+async def drive(steps: Driven, size: tuple[int, int] = (132, 42), url: str | None = URL) -> Desk:
+    desk = Desk(url)
+    async with desk.app.run_test(size=size) as pilot:
+        if url is not None:
+            await until(pilot, lambda: "Connected" in desk.messages)
+        await steps(pilot, desk)
+    return desk
+
+
+async def test_live_picture_is_shown() -> None:
+    async def steps(pilot: Pilot[None], desk: Desk) -> None:
+        await until(pilot, lambda: desk.app.preview.shown >= 3)
+        line = desk.app.preview.render_line(desk.app.preview.size.height // 2)
+        assert len(list(line)) > 5
+
+    desk = await drive(steps)
+    assert desk.microscope.calls[-1] == ("close",)
+
+
+async def test_clicked_led_goes_on_and_off() -> None:
+    async def steps(pilot: Pilot[None], desk: Desk) -> None:
+        dome = desk.app.query_one(DomeMap)
+        column, row = dome.cell_of(5)
+        spot = (column + dome.gutter.left, row + dome.gutter.top)
+        await pilot.click(DomeMap, offset=spot)
+        await until(pilot, lambda: dome.lit == {5})
+        assert desk.microscope.light == {5: 4095}
+        await pilot.press("right", "enter")
+        await until(pilot, lambda: dome.lit == {5, 6})
+        await pilot.click(DomeMap, offset=spot)
+        await until(pilot, lambda: dome.lit == {6})
+
+    await drive(steps)
+
+
+@pytest.mark.parametrize("dialog", ["", "question_mark", "a", "c"])
+async def test_one_key_turns_all_leds_off_everywhere(dialog: str) -> None:
+    async def steps(pilot: Pilot[None], desk: Desk) -> None:
+        await pilot.press("enter")
+        await until(pilot, lambda: desk.app.dome.lit == {0})
+        if dialog:
+            await pilot.press(dialog)
+        await pilot.press("o")
+        await until(pilot, lambda: not desk.app.dome.lit)
+        assert ("all_off",) in desk.microscope.calls
+
+    await drive(steps)
+
+
+async def test_apertures_by_key_and_by_click() -> None:
+    async def steps(pilot: Pilot[None], desk: Desk) -> None:
+        await pilot.press("right_square_bracket")
+        await until(pilot, lambda: desk.microscope.aperture_name == "disc-00")
+        await until(pilot, lambda: bool(desk.app.glass.bitmap.any()))
+        await pilot.press("right_square_bracket")
+        await until(pilot, lambda: desk.microscope.aperture_name == "disc-01")
+        await until(pilot, lambda: np.array_equal(desk.app.glass.bitmap, desk.microscope.aperture))
+        await pilot.press("0")
+        await until(pilot, lambda: desk.microscope.aperture_name == "centre")
+        await pilot.press("s")
+        await until(pilot, lambda: not desk.app.glass.bitmap.any())
+        plan = desk.microscope.default_plan()
+        rows, columns = np.nonzero(plan.views[7].bitmap)
+        glass = desk.app.query_one(GlassView)
+        x = round(columns.mean() / 2) + glass.gutter.left
+        y = round(rows.mean() // 4) + glass.gutter.top
+        await pilot.click(GlassView, offset=(x, y))
+        await until(pilot, lambda: desk.microscope.aperture_name == "disc-07")
+
+    await drive(steps)
+
+
+async def test_exposure_and_level() -> None:
+    async def steps(pilot: Pilot[None], desk: Desk) -> None:
+        await pilot.press("plus")
+        await until(pilot, lambda: desk.microscope.live_exposure_us == 28_280)
+        await pilot.press("enter", "less_than_sign")
+        await until(pilot, lambda: desk.microscope.light == {0: 2048})
+        await pilot.press("x")
+        await until(pilot, lambda: "stretched" in str(desk.app._camera_line.render()))
+
+    await drive(steps)
+
+
+async def test_acquisition_with_progress_and_end(tmp_path: Path) -> None:
+    async def steps(pilot: Pilot[None], desk: Desk) -> None:
+        desk.microscope.hold.clear()
+        await pilot.press("a")
+        assert isinstance(desk.app.screen, AcquireScreen)
+        desk.app.screen.query_one("#out", Input).value = str(tmp_path / "r1")
+        desk.app.screen.query_one("#sample", Input).value = "basalt"
+        await pilot.click("#start")
+        await until(pilot, lambda: desk.app.engine.busy)
+        desk.microscope.hold.set()
+        await until(pilot, lambda: "Run complete" in desk.messages)
+        assert ("acquire", tmp_path / "r1", "basalt", "") in desk.microscope.calls
+        assert desk.app._progress.percentage == 1.0
+        await until(pilot, lambda: not desk.app.engine.busy)
+        shown = desk.app.preview.shown
+        await until(pilot, lambda: desk.app.preview.shown > shown)
+
+    await drive(steps)
+
+
+async def test_acquisition_pauses_on_escape() -> None:
+    async def steps(pilot: Pilot[None], desk: Desk) -> None:
+        desk.microscope.hold.clear()
+        await pilot.press("a")
+        await pilot.click("#start")
+        await until(pilot, lambda: desk.app.engine.busy)
+        await pilot.press("escape")
+        desk.microscope.hold.set()
+        await until(pilot, lambda: "Acquisition:" in desk.messages)
+        assert "Run complete" not in desk.messages
+
+    await drive(steps)
+
+
+async def test_errors_are_shown_with_their_hint() -> None:
+    async def steps(pilot: Pilot[None], desk: Desk) -> None:
+        desk.microscope.refuse = DeviceError("The link [was] lost.", hint="Plug it in again.")
+        await pilot.press("enter")
+        await until(pilot, lambda: "Plug it in again." in desk.messages)
+        assert "The link [was] lost." in desk.messages
+        assert "switch LED 0" in desk.messages
+
+    await drive(steps)
+
+
+async def test_connect_dialog_lists_devices_and_takes_any_url() -> None:
+    async def steps(pilot: Pilot[None], desk: Desk) -> None:
+        await until(pilot, lambda: isinstance(desk.app.screen, ConnectScreen))
+        await pilot.press("down", "enter")
+        await until(pilot, lambda: "Connected" in desk.messages)
+        assert desk.microscope.device.url == URL
+        await pilot.press("c")
+        await pilot.click("#url")
+        await pilot.press(*"fake", "enter")
+        await until(pilot, lambda: len(desk.opened) == 2)
+        assert desk.opened[0].calls[-1] == ("close",)
+        assert desk.microscope.device.url == "fake"
+
+    await drive(steps, url=None)
+
+
+async def test_refused_connection_leaves_the_screen_usable() -> None:
+    async def steps(pilot: Pilot[None], desk: Desk) -> None:
+        desk.refuse = DeviceError("Nobody answers.", hint="Is it plugged in?")
+        await until(pilot, lambda: isinstance(desk.app.screen, ConnectScreen))
+        await pilot.press("enter")
+        await until(pilot, lambda: "Nobody answers." in desk.messages)
+        await pilot.press("s")
+        await until(pilot, lambda: "No instrument is connected." in desk.messages)
+
+    await drive(steps, url=None)
+
+
+@pytest.mark.parametrize("size", [(180, 50), (100, 30)])
+async def test_help_shows_every_key_and_both_sizes_fit(size: tuple[int, int]) -> None:
+    async def steps(pilot: Pilot[None], desk: Desk) -> None:
+        wide = size[0] >= 130
+        assert desk.app.glass.display is wide
+        assert desk.app.dome.size.height >= 11
+        await pilot.press("question_mark")
+        assert isinstance(desk.app.screen, HelpScreen)
+        await pilot.press("escape")
+        if not wide:
+            await pilot.press("g")
+            assert desk.app.glass.display
+            assert not desk.app.dome.display
+
+    await drive(steps, size)
