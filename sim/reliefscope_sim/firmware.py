@@ -54,9 +54,8 @@ def locate_library() -> Path:
     folders = [Path(entry) / _FOLDER for entry in reliefscope_sim.__path__]
     folders += [Path(entry) / "reliefscope_sim" / _FOLDER for entry in sys.path if entry]
     for folder in folders:
-        for name in (library_name(), f"lib{library_name()}"):
-            if (folder / name).is_file():
-                return folder / name
+        if (folder / library_name()).is_file():
+            return folder / library_name()
     raise DeviceError(
         "The compiled firmware core of the simulated instrument is missing.",
         hint="Build and install it: `pip install -e .` in the checkout (needs a C++17 compiler).",

@@ -4,6 +4,8 @@ import math
 
 import numpy as np
 import pytest
+from hypothesis import given
+from hypothesis import strategies as st
 
 from reliefscope.models.instrument import GlassModel
 from reliefscope_sim.glass import Glass
@@ -117,3 +119,22 @@ def test_time_never_runs_back():
         glass.drive(99, bitmap())
     with pytest.raises(ValueError, match="ends after it starts"):
         glass.mean_transmission(200, 200)
+
+
+@given(
+    switches=st.lists(st.integers(1, 300_000), min_size=1, max_size=6),
+    cuts=st.lists(st.integers(1, 999_999), min_size=1, max_size=3, unique=True),
+)
+def test_averages_of_parts_add_up_to_the_average_of_the_whole(switches, cuts):
+    glass = Glass(model())
+    time_us = 0
+    for number, wait_us in enumerate(switches):
+        time_us += wait_us
+        glass.drive(time_us, bitmap((0, 0)) if number % 2 else bitmap((0, 1)))
+    edges = [0, *sorted(cuts), 1_000_000]
+    parts = [
+        (b - a) * glass.mean_transmission(a, b)[0, :2].astype(float)
+        for a, b in zip(edges, edges[1:], strict=False)
+    ]
+    whole = glass.mean_transmission(0, 1_000_000)[0, :2]
+    np.testing.assert_allclose(np.sum(parts, axis=0) / 1_000_000, whole, rtol=1e-5)
