@@ -9,7 +9,7 @@ from __future__ import annotations
 
 import difflib
 import random
-from dataclasses import dataclass, field
+from dataclasses import dataclass
 
 from reliefscope.errors import InvalidInputError
 
@@ -37,11 +37,11 @@ class Faults:
     link_flip: float = 0.0
     link_duplicate: float = 0.0
     link_delay_us: int = 0
-    link_cut: frozenset[int] = field(default_factory=frozenset)
-    reset_at: frozenset[int] = field(default_factory=frozenset)
-    stall_at: frozenset[int] = field(default_factory=frozenset)
-    camera_drop: frozenset[int] = field(default_factory=frozenset)
-    camera_unplug: frozenset[int] = field(default_factory=frozenset)
+    link_cut: frozenset[int] = frozenset()
+    reset_at: frozenset[int] = frozenset()
+    stall_at: frozenset[int] = frozenset()
+    camera_drop: frozenset[int] = frozenset()
+    camera_unplug: frozenset[int] = frozenset()
 
     @classmethod
     def parse(cls, text: str) -> Faults:
@@ -77,7 +77,19 @@ class Faults:
             else:
                 exposures.setdefault(name, set()).add(int(number))
         places = {name: frozenset(numbers) for name, numbers in exposures.items()}
-        return cls(link_delay_us=delay_us, **rates, **places)  # type: ignore[arg-type]
+        nowhere: frozenset[int] = frozenset()
+        return cls(
+            link_loss=rates.get("link_loss", 0.0),
+            link_drop=rates.get("link_drop", 0.0),
+            link_flip=rates.get("link_flip", 0.0),
+            link_duplicate=rates.get("link_duplicate", 0.0),
+            link_delay_us=delay_us,
+            link_cut=places.get("link_cut", nowhere),
+            reset_at=places.get("reset_at", nowhere),
+            stall_at=places.get("stall_at", nowhere),
+            camera_drop=places.get("camera_drop", nowhere),
+            camera_unplug=places.get("camera_unplug", nowhere),
+        )
 
     @property
     def on_the_link(self) -> bool:

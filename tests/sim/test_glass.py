@@ -1,5 +1,6 @@
 """The liquid crystal against numerical integration and its definition."""
 
+import itertools
 import math
 
 import numpy as np
@@ -134,7 +135,7 @@ def test_averages_of_parts_add_up_to_the_average_of_the_whole(switches, cuts):
     edges = [0, *sorted(cuts), 1_000_000]
     parts = [
         (b - a) * glass.mean_transmission(a, b)[0, :2].astype(float)
-        for a, b in zip(edges, edges[1:], strict=False)
+        for a, b in itertools.pairwise(edges)
     ]
     whole = glass.mean_transmission(0, 1_000_000)[0, :2]
     np.testing.assert_allclose(np.sum(parts, axis=0) / 1_000_000, whole, rtol=1e-5)
