@@ -14,14 +14,16 @@ from reliefscope.device import (
     Device,
     DeviceTimeout,
     ExposureEvent,
+    FailedError,
     FaultEvent,
     SequenceEvent,
     SequenceNews,
     SequenceState,
     SequenceTiming,
 )
-from reliefscope.errors import CameraError, DeviceError
+from reliefscope.errors import CameraError, DeviceError, ReliefscopeError
 from reliefscope.models.camera import Camera, CameraTimeout, Frame
+from reliefscope.protocol.messages import ErrorCode, FaultReason
 from reliefscope.units import US_PER_S
 
 log = logging.getLogger(__name__)
@@ -67,12 +69,8 @@ class Pairing:
         self._count = 0
         self._step = 0
         self._repeat = 0
+        self._started = False
         self._stopped_at: int | None = None
-
-    @property
-    def finished(self) -> bool:
-        """Whether every exposure of the table was paired."""
-        return self._step == len(self._batch.steps)
 
     def next(self) -> Exposure | None:
         """The next exposure with its frame; None once the sequence stands and everything before is paired.
@@ -84,27 +82,35 @@ class Pairing:
         CameraError
             If a frame is missing.
         """
-        while True:
-            if self.finished or self._stopped_at == self._count:
-                return None
+        while self._stopped_at != self._count:
             event = self._next_event()
-            if isinstance(event, ExposureEvent):
+            if isinstance(event, SequenceEvent) and event.run_id == self._run_id:
+                self._heed(event)
+            elif not self._started:
+                log.info("left over from an earlier sequence: %s", event)
+            elif isinstance(event, ExposureEvent):
                 return self._pair(event)
-            if isinstance(event, FaultEvent):
+            elif isinstance(event, FaultEvent):
+                raise _fault(event)
+            else:
                 raise DeviceError(
-                    f"The device stopped itself at step {event.step}: {event.reason.description}",
-                    hint=f"{event.reason.cause} {event.reason.next_step} {_RESUME}",
+                    f"An event of sequence {event.run_id} came during sequence {self._run_id}.",
+                    hint=f"Make sure that only one program uses the device. {_RESUME}",
                 )
-            self._heed(event)
+        return None
 
     def stop(self) -> None:
         """Ask the device to pause; :meth:`next` then gives what was exposed before it stood."""
-        state = self._device.pause()
-        if state is SequenceState.IDLE:
+        try:
+            self._device.pause()
+        except FailedError as error:
+            if error.code is not ErrorCode.NOT_RUNNING:
+                raise
             log.info("the sequence had ended before it could be paused")
 
     def _next_event(self) -> ExposureEvent | FaultEvent | SequenceEvent:
-        step = self._batch.steps[self._step]
+        last = len(self._batch.steps) - 1  # after the last exposure: the end of the sequence
+        step = self._batch.steps[min(self._step, last)]
         lead_us = (
             self._timing.light_lead_us + self._timing.gap_us + self._timing.ready_timeout_ms * 1000
         )
@@ -113,7 +119,7 @@ class Pairing:
             return self._device.events(due_s + MARGIN_S)
         except DeviceTimeout as error:
             status = self._device.status()
-            name = self._batch.requests[self._step].key
+            name = self._batch.requests[min(self._step, last)].key
             if status.sequence is SequenceState.IDLE:
                 raise DeviceError(
                     f"The device ended the sequence before {name} without saying why.",
@@ -131,12 +137,9 @@ class Pairing:
             ) from error
 
     def _heed(self, event: SequenceEvent) -> None:
-        if event.run_id != self._run_id:
-            raise DeviceError(
-                f"An event of sequence {event.run_id} came during sequence {self._run_id}.",
-                hint=f"Make sure that only one program uses the device. {_RESUME}",
-            )
-        if event.news in (SequenceNews.PAUSED, SequenceNews.FINISHED):
+        if event.news is SequenceNews.STARTED:
+            self._started = True
+        elif event.news in (SequenceNews.PAUSED, SequenceNews.FINISHED):
             self._stopped_at = event.exposures
             if event.exposures < self._count or (
                 event.news is SequenceNews.FINISHED and event.exposures != self._batch.exposures
@@ -152,6 +155,10 @@ class Pairing:
             )
 
     def _pair(self, event: ExposureEvent) -> Exposure:
+        if self._step == len(self._batch.steps):
+            raise DeviceError(
+                f"The device made more exposures than the {self._count} of the table.", hint=_RESUME
+            )
         step, name = self._batch.steps[self._step], self._batch.requests[self._step].key
         for what, found, expected in (
             ("table", event.table_hash, self._table_hash),
@@ -198,3 +205,13 @@ class Pairing:
                 hint=f"Check its cable and the load of this computer. {_RESUME}",
             )
         return frame
+
+
+def _fault(event: FaultEvent) -> ReliefscopeError:
+    """The error of a fault, with the part that is to blame."""
+    hint = f"{event.reason.cause} {event.reason.next_step} {_RESUME}"
+    if event.reason in (FaultReason.CAMERA_NOT_READY, FaultReason.CAMERA_NO_STROBE):
+        message = f"The camera stalled at step {event.step}: {event.reason.description}"
+        return CameraError(message, hint=hint)
+    message = f"The device stopped itself at step {event.step}: {event.reason.description}"
+    return DeviceError(message, hint=hint)
