@@ -103,6 +103,21 @@ def test_noise_is_removed_gaps_are_filled_and_outliers_ignored() -> None:
     assert np.median(robust.outlier_weights[~outliers & ~gaps]) > 0.9
 
 
+def test_resolution_keeps_the_structure_of_a_map_that_is_mostly_flat() -> None:
+    # Heights taken from candidates 1 um apart: flat ground without any deviation, one steep mound.
+    rows, cols = np.mgrid[:96, :128]
+    mound = 25 * np.exp(-((rows - 48) ** 2 + (cols - 64) ** 2) / 60)
+    y = np.round(mound + np.random.default_rng(6).normal(0, 0.2, mound.shape))
+    y[5, 7] = 60.0
+    blind = smooth_robust(y)
+    told = smooth_robust(y, resolution=1.0)
+    top = mound > 5
+    assert np.abs(told.values - mound)[top].mean() < 0.5 < np.abs(blind.values - mound)[top].mean()
+    assert (told.outlier_weights[top] > 0.5).mean() > 0.95
+    assert told.outlier_weights[5, 7] == 0.0
+    assert abs(told.values[5, 7]) < 0.5
+
+
 def test_result_moves_and_scales_with_the_data() -> None:
     shape = (40, 50)
     y = hill(shape) + np.random.default_rng(4).normal(0, 0.5, shape)

@@ -75,6 +75,7 @@ def smooth_robust(
     *,
     robust: bool = True,
     parameter: float | None = None,
+    resolution: float = 0.0,
     job: Job | None = None,
 ) -> Smoothed:
     """Smooth gridded ``values``, fill what is missing, and ignore outliers.
@@ -90,6 +91,10 @@ def smooth_robust(
         Repeat with bisquare weights, so that outliers do not count.
     parameter:
         Smoothing parameter s; by default found by generalised cross-validation.
+    resolution:
+        Least standard deviation that a good value may have, in the unit of the values: the step of a
+        search over candidates, for example.  Where most of a map is flat and quantised, the median
+        deviation is far below it, and every edge would count as an outlier.
     job:
         Progress (stage ``smooth``, per round) and cancellation.
 
@@ -105,6 +110,7 @@ def smooth_robust(
     solver = _Solver(
         np.pad(np.where(weight > 0, data - data.dtype.type(centre), 0), pads),
         np.pad(weight, pads),
+        resolution,
         ensure_job(job),
     )
     rounds = ROUNDS if robust else 1
@@ -127,12 +133,13 @@ def smooth_robust(
 class _Solver:
     """State of one smoothing: data, weights, current values and parameter."""
 
-    def __init__(self, data: Real, weight: Real, job: Job) -> None:
+    def __init__(self, data: Real, weight: Real, resolution: float, job: Job) -> None:
         self.y = data
         self.given = weight
         self.known = weight > 0
         self.count = int(self.known.sum())
         self.job = job
+        self.least_spread = max(resolution, LEAST_SPREAD * float(data[self.known].std()))
         self.outlier = self.known.astype(data.dtype)
         self.total = weight
         self.penalty = _penalty(data.shape, data.dtype)
@@ -259,7 +266,7 @@ class _Solver:
         residual = (self.y - self.z)[self.known]
         deviation = float(np.median(np.abs(residual - np.median(residual))))
         spread = 1.4826 * deviation * math.sqrt(1 - _leverage_of(self.s, self.tensor))
-        spread = max(spread, LEAST_SPREAD * float(self.y[self.known].std()))
+        spread = max(spread, self.least_spread)
         if spread > 0:
             u = np.abs(residual) / (TUNING * spread)
             self.outlier[self.known] = np.where(u < 1, (1 - u * u) ** 2, 0)
