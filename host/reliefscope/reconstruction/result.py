@@ -1,0 +1,264 @@
+"""A reconstruction and its folder ``results/NAME`` inside the run.
+
+``arrays.npz`` holds the maps (numpy, not compressed: height maps do not compress), ``result.json``
+the settings, figures and times.  A folder appears whole or not at all, and is never replaced
+unasked.
+"""
+
+from __future__ import annotations
+
+import json
+import os
+import re
+import shutil
+from collections.abc import Mapping
+from dataclasses import dataclass, field, fields
+from pathlib import Path
+from typing import Any
+from zipfile import BadZipFile
+
+import numpy as np
+from numpy.typing import NDArray
+
+from reliefscope import __version__
+from reliefscope.errors import DatasetError, InvalidInputError, OutputExistsError
+from reliefscope.reconstruction.settings import Settings
+from reliefscope.units import FloatImage
+
+SCHEMA_VERSION = 1
+ARRAYS_FILE = "arrays.npz"
+RESULT_FILE = "result.json"
+RESULTS_FOLDER = "results"
+_NAME = re.compile(r"[A-Za-z0-9][A-Za-z0-9._-]*")
+
+
+@dataclass(frozen=True)
+class Reconstruction:
+    """Maps (H, W) float32 in the virtual view s = 0; None where the run did not allow for them.
+
+    Attributes
+    ----------
+    height_um:
+        The surface: fused, else smoothed stereo, else integrated normals (mean zero).  NaN is
+        missing.
+    pixel_um:
+        Size of a pixel on the sample.
+    settings:
+        What it was made with.
+    kind:
+        ``fused``, ``stereo`` or ``integrated``.
+    stereo_height_um, stereo_quality:
+        As matched, before anything is discarded; NaN and 0 where missing.
+    smoothed_height_um:
+        Stereo heights after discarding and smoothing.
+    normals, albedo, photometric_quality, residual:
+        As solved, before anything is discarded; normals are (H, W, 3).
+    micrograph:
+        Linear luminance to look at: the centre view under all light where it was taken.
+    figures:
+        Numbers about the solution, such as the solver's iterations.
+    timings_s, peak_memory_mb:
+        Time of each stage, and the greatest memory of the process so far.
+    """
+
+    height_um: FloatImage
+    pixel_um: float
+    settings: Settings
+    kind: str
+    stereo_height_um: FloatImage | None = None
+    stereo_quality: FloatImage | None = None
+    smoothed_height_um: FloatImage | None = None
+    normals: FloatImage | None = None
+    albedo: FloatImage | None = None
+    photometric_quality: FloatImage | None = None
+    residual: FloatImage | None = None
+    micrograph: FloatImage | None = None
+    figures: Mapping[str, float] = field(default_factory=dict)
+    timings_s: Mapping[str, float] = field(default_factory=dict)
+    peak_memory_mb: float = 0.0
+
+    @property
+    def method(self) -> str:
+        """Name of the method that made it."""
+        return self.settings.method
+
+    @property
+    def slant_rad(self) -> FloatImage | None:
+        """Angle (H, W) between the normals and the optical axis."""
+        if self.normals is None:
+            return None
+        slant: FloatImage = np.arccos(np.clip(self.normals[..., 2], -1.0, 1.0)).astype(np.float32)
+        return slant
+
+    def summary(self) -> dict[str, Any]:
+        """Figures for people and programs."""
+        rows, columns = self.height_um.shape
+        known = self.height_um[np.isfinite(self.height_um)]
+        low, high = np.percentile(known, (1, 99)) if known.size else (np.nan, np.nan)
+        facts: dict[str, Any] = {
+            "method": self.method,
+            "kind": self.kind,
+            "size_px": [columns, rows],
+            "pixel_um": self.pixel_um,
+            "height_known": _share(np.isfinite(self.height_um)),
+            "height_1_to_99_percent_um": [round(float(low), 3), round(float(high), 3)],
+        }
+        if self.stereo_quality is not None:
+            accepted = self.stereo_quality >= self.settings.stereo_quality
+            facts["stereo_accepted"] = _share(accepted)
+            facts["stereo_quality_median"] = round(float(np.median(self.stereo_quality)), 4)
+        if self.photometric_quality is not None:
+            accepted = self.photometric_quality >= self.settings.photometric_quality
+            facts["photometric_accepted"] = _share(accepted)
+            facts["photometric_quality_median"] = round(
+                float(np.median(self.photometric_quality)), 4
+            )
+        facts.update({name: float(f"{value:.6g}") for name, value in self.figures.items()})
+        facts["peak_memory_mb"] = round(self.peak_memory_mb)
+        return facts
+
+
+_ARRAYS = tuple(
+    item.name
+    for item in fields(Reconstruction)
+    if item.name == "height_um" or item.type == "FloatImage | None"
+)
+
+
+def result_folder(run_path: Path, name: str, *, overwrite: bool = False) -> Path:
+    """Folder of a result, checked before any work is done for it.
+
+    Raises
+    ------
+    InvalidInputError
+        A name that cannot be a folder's.
+    OutputExistsError
+        The folder exists and ``overwrite`` is false.
+    """
+    if not _NAME.fullmatch(name):
+        raise InvalidInputError(
+            f"`{name}` cannot be the name of a result.",
+            hint="Use letters, digits, dots, dashes and underscores, starting with a letter or digit.",
+        )
+    folder = run_path / RESULTS_FOLDER / name
+    if folder.exists() and not overwrite:
+        raise OutputExistsError(
+            f"{folder} exists already; nothing was changed.",
+            hint=f"Choose another name: `reliefscope reconstruct {run_path} --name {name}-2`, "
+            "or replace it with `--overwrite`.",
+        )
+    return folder
+
+
+def list_results(run_path: Path) -> list[str]:
+    """Names of the results of a run, in order."""
+    folder = run_path / RESULTS_FOLDER
+    return sorted(path.parent.name for path in folder.glob(f"[!.]*/{RESULT_FILE}"))
+
+
+def save_result(
+    reconstruction: Reconstruction, run_path: Path, name: str, *, overwrite: bool = False
+) -> Path:
+    """Write a result to ``results/NAME`` of a run and return the folder.
+
+    Raises
+    ------
+    InvalidInputError, OutputExistsError
+        See :func:`result_folder`.
+    DatasetError
+        The disk did not take it; what was there before is unchanged.
+    """
+    folder = result_folder(run_path, name, overwrite=overwrite)
+    making = folder.with_name(f".{name}.making-{os.getpid()}")
+    try:
+        making.mkdir(parents=True)
+        arrays = {
+            key: value for key in _ARRAYS if (value := getattr(reconstruction, key)) is not None
+        }
+        with (making / ARRAYS_FILE).open("wb") as stream:
+            np.savez(stream, **arrays)
+            _sync(stream)
+        with (making / RESULT_FILE).open("w", encoding="utf-8") as stream:
+            json.dump(_document(reconstruction), stream, indent=2)
+            _sync(stream)
+        if folder.exists():
+            replaced = folder.with_name(f".{name}.replaced-{os.getpid()}")
+            folder.rename(replaced)
+            making.rename(folder)
+            shutil.rmtree(replaced)
+        else:
+            making.rename(folder)
+    except OSError as error:
+        shutil.rmtree(making, ignore_errors=True)
+        raise DatasetError(
+            f"The result could not be written to {folder}: {error.strerror or error}.",
+            hint=f"Check space and permissions: `df -h {run_path}`, then reconstruct again.",
+        ) from error
+    return folder
+
+
+def load_result(run_path: Path, name: str) -> Reconstruction:
+    """Read a result of a run.
+
+    Raises
+    ------
+    DatasetError
+        It is absent, damaged, or of another version.
+    """
+    folder = run_path / RESULTS_FOLDER / name
+    if not (folder / RESULT_FILE).is_file():
+        known = ", ".join(list_results(run_path)) or "none"
+        raise DatasetError(
+            f"{run_path} has no result `{name}` (there are: {known}).",
+            hint=f"Make one: `reliefscope reconstruct {run_path} --name {name}`.",
+        )
+    try:
+        document = json.loads((folder / RESULT_FILE).read_text(encoding="utf-8"))
+        version = document["schema_version"]
+        if version != SCHEMA_VERSION:
+            raise DatasetError(
+                f"{folder} has version {version}; this program reads {SCHEMA_VERSION}.",
+                hint=f"Reconstruct again: `reliefscope reconstruct {run_path} --name {name} "
+                "--overwrite`.",
+            )
+        with (folder / ARRAYS_FILE).open("rb") as stream, np.load(stream) as archive:
+            arrays: dict[str, NDArray[np.float32]] = {key: archive[key] for key in archive.files}
+        return Reconstruction(
+            pixel_um=document["pixel_um"],
+            settings=Settings.model_validate(document["settings"]),
+            kind=document["kind"],
+            figures=document["figures"],
+            timings_s=document["timings_s"],
+            peak_memory_mb=document["peak_memory_mb"],
+            **arrays,
+        )
+    except (OSError, ValueError, KeyError, TypeError, EOFError, BadZipFile) as error:
+        raise DatasetError(
+            f"{folder} is damaged: {error}.",
+            hint=f"Reconstruct again: `reliefscope reconstruct {run_path} --name {name} "
+            "--overwrite`.",
+        ) from error
+
+
+def _document(reconstruction: Reconstruction) -> dict[str, Any]:
+    return {
+        "schema_version": SCHEMA_VERSION,
+        "program_version": __version__,
+        "method": reconstruction.method,
+        "kind": reconstruction.kind,
+        "pixel_um": reconstruction.pixel_um,
+        "settings": reconstruction.settings.model_dump(mode="json"),
+        "summary": reconstruction.summary(),
+        "figures": dict(reconstruction.figures),
+        "timings_s": dict(reconstruction.timings_s),
+        "peak_memory_mb": reconstruction.peak_memory_mb,
+    }
+
+
+def _share(mask: NDArray[np.bool_]) -> float:
+    return round(float(mask.mean()), 4)
+
+
+def _sync(stream: Any) -> None:
+    stream.flush()
+    os.fsync(stream.fileno())

@@ -1,0 +1,224 @@
+"""The whole pipeline against truth: a shaded, textured relief seen from several slopes under several lights."""
+
+from collections.abc import Iterable, Iterator
+from dataclasses import dataclass, field, replace
+
+import numpy as np
+import pytest
+from scipy import ndimage
+
+from reliefscope import axes
+from reliefscope.errors import Cancelled, InvalidInputError
+from reliefscope.jobs import Job
+from reliefscope.reconstruction.pipeline import reconstruct
+from reliefscope.reconstruction.settings import METHODS, Settings, settings_for
+
+PIXEL_UM = 1.12
+SHAPE = (96, 112)
+QUICK = Settings(height_step_um=2.0, window=11)
+
+
+@dataclass(frozen=True)
+class ArrayFrames:
+    """Frames in memory, as `reliefscope.reconstruction.pipeline.Frames` asks for them."""
+
+    images: np.ndarray
+    views: np.ndarray | None
+    lights: np.ndarray | None
+    height_range_um: tuple[float, float] | None = (-20.0, 20.0)
+    pixel_um: float = PIXEL_UM
+    mask: np.ndarray | None = None
+    powers: np.ndarray = field(default_factory=lambda: np.ones(1))
+
+    @property
+    def shape(self) -> tuple[int, int]:
+        return self.images.shape[2:]
+
+    @property
+    def view_names(self) -> tuple[str, ...]:
+        return tuple(f"v{k}" for k in range(self.images.shape[0]))
+
+    @property
+    def light_names(self) -> tuple[str, ...]:
+        return tuple(f"l{k}" for k in range(self.images.shape[1]))
+
+    def stack(
+        self, views: Iterable[int] | None = None, lights: Iterable[int] | None = None
+    ) -> Iterator[tuple[int, int, np.ndarray]]:
+        for view in range(self.images.shape[0]) if views is None else views:
+            for light in range(self.images.shape[1]) if lights is None else lights:
+                yield view, light, self.images[view, light].copy()
+
+
+def relief(x_um: np.ndarray, y_um: np.ndarray) -> tuple[np.ndarray, np.ndarray, np.ndarray]:
+    """Height and its slopes: a smooth hill, off the middle and longer in x, on an incline."""
+    hill = 14.0 * np.exp(-((x_um - 8) ** 2) / 1100 - (y_um + 5) ** 2 / 600)
+    height = hill + 0.05 * x_um - 5.0
+    return height, -2 * (x_um - 8) / 1100 * hill + 0.05, -2 * (y_um + 5) / 600 * hill
+
+
+def make_frames(slopes: np.ndarray, lights: np.ndarray, seed: int = 1) -> ArrayFrames:
+    """Lambert shading of a mottled relief; each view is sampled along its own rays."""
+    rng = np.random.default_rng(seed)
+    margin = 40
+    noise = ndimage.gaussian_filter(rng.standard_normal(tuple(n + 2 * margin for n in SHAPE)), 1.0)
+    albedo = 0.5 + 0.12 * noise / noise.std()
+    x_um, y_um = axes.pixel_grid_um(SHAPE, PIXEL_UM)
+    x, y = np.meshgrid(x_um, y_um)
+    images = np.empty((len(slopes), len(lights), *SHAPE), np.float32)
+    for k, (sx, sy) in enumerate(slopes):
+        # the surface point seen at (x, y) of this view: (x + z sx, y + z sy)
+        px, py = x.copy(), y.copy()
+        for _ in range(40):
+            z, _, _ = relief(px, py)
+            px, py = x + z * sx, y + z * sy
+        _, gx, gy = relief(px, py)
+        columns = px / PIXEL_UM + (SHAPE[1] - 1) / 2 + margin
+        rows = (SHAPE[0] - 1) / 2 - py / PIXEL_UM + margin
+        rho = ndimage.map_coordinates(albedo, [rows, columns], order=3)
+        for m, (lx, ly, lz) in enumerate(lights):
+            shade = (-gx * lx - gy * ly + lz) / np.sqrt(1 + gx**2 + gy**2)
+            images[k, m] = rho * np.maximum(shade, 0.0)
+    images += rng.normal(0.0, 0.002, images.shape).astype(np.float32)
+    return ArrayFrames(images, slopes, lights, powers=np.ones(len(lights)))
+
+
+@pytest.fixture(scope="module")
+def frames() -> ArrayFrames:
+    angles = 2 * np.pi * np.arange(6) / 6 + 0.2
+    slopes = 0.13 * np.stack([np.cos(angles), np.sin(angles)], axis=1)
+    lights = np.array([axes.direction(np.radians(45), 2 * np.pi * k / 6) for k in range(6)])
+    return make_frames(slopes, lights)
+
+
+@pytest.fixture(scope="module")
+def truth() -> np.ndarray:
+    x_um, y_um = axes.pixel_grid_um(SHAPE, PIXEL_UM)
+    return relief(*np.meshgrid(x_um, y_um))[0]
+
+
+INNER = (slice(12, -12), slice(12, -12))
+
+
+def mean_error(height: np.ndarray, truth: np.ndarray) -> float:
+    return float(np.abs(height - truth)[INNER].mean())
+
+
+def test_paper_recovers_the_relief(frames: ArrayFrames, truth: np.ndarray) -> None:
+    job = Job()
+    stages: set[str] = set()
+    job.subscribe(lambda progress: stages.add(progress.stage))
+    result = reconstruct(frames, QUICK, job)
+    assert result.kind == "fused"
+    assert mean_error(result.height_um, truth) < 0.35
+    assert mean_error(result.height_um, truth) < mean_error(result.stereo_height_um, truth)
+    x_um, y_um = axes.pixel_grid_um(SHAPE, PIXEL_UM)
+    _, gx, gy = relief(*np.meshgrid(x_um, y_um))
+    slope_x, slope_y = axes.gradient_from_normals(result.normals)
+    assert np.abs(slope_x - gx)[INNER].mean() < 0.02
+    assert np.abs(slope_y - gy)[INNER].mean() < 0.02
+    assert {"read frames", "match", "smooth", "fusion"} <= stages
+    assert {"read frames", "match", "smooth", "photometric stereo", "fuse"} <= set(result.timings_s)
+    assert result.peak_memory_mb > 10
+    summary = result.summary()
+    assert summary["stereo_accepted"] > 0.5
+    assert summary["height_known"] == 1.0
+
+
+def test_streaming_gives_what_memory_gives(frames: ArrayFrames) -> None:
+    kept = reconstruct(frames, QUICK)
+    streamed = reconstruct(frames, QUICK.model_copy(update={"frames_in_memory_mb": 0}))
+    np.testing.assert_array_equal(kept.height_um, streamed.height_um)
+
+
+def test_unequal_gain_of_views_and_power_of_lights_are_taken_off(
+    frames: ArrayFrames, truth: np.ndarray
+) -> None:
+    gains = np.array([1.0, 0.8, 1.2, 0.9, 1.1, 0.7])
+    powers = np.array([1.0, 1.3, 0.8, 1.1, 0.9, 1.0])
+    images = (frames.images * gains[:, None, None, None] * powers[None, :, None, None]) / 2
+    other = replace(frames, images=images.astype(np.float32), powers=powers)
+    result = reconstruct(other, QUICK)
+    assert mean_error(result.height_um, truth) < 0.4
+
+
+def test_robust_method_is_as_good(frames: ArrayFrames, truth: np.ndarray) -> None:
+    changes = {"height_step_um": 2.0, "window": 11, "occlusion": True, "trim": (0.1, 0.9)}
+    result = reconstruct(frames, METHODS["robust"].model_copy(update=changes))
+    assert result.method == "robust"
+    assert mean_error(result.height_um, truth) < 0.35
+
+
+def test_one_view_is_integrated(frames: ArrayFrames, truth: np.ndarray) -> None:
+    lone = make_frames(np.zeros((1, 2)), frames.lights)
+    result = reconstruct(lone, QUICK)
+    assert result.kind == "integrated"
+    assert result.stereo_height_um is None
+    assert mean_error(result.height_um, truth - truth.mean()) < 0.3
+
+
+def test_one_light_is_stereo_only(frames: ArrayFrames, truth: np.ndarray) -> None:
+    lone = replace(frames, images=frames.images[:, :1], lights=None, powers=np.ones(1))
+    result = reconstruct(lone, QUICK)
+    assert result.kind == "stereo"
+    assert result.normals is None
+    assert mean_error(result.height_um, truth) < 1.5
+
+
+def test_mask_leaves_the_rest_missing(frames: ArrayFrames) -> None:
+    mask = np.ones(SHAPE, bool)
+    mask[:, :20] = False
+    result = reconstruct(replace(frames, mask=mask), QUICK)
+    assert np.isnan(result.height_um[:, :20]).all()
+    assert np.isfinite(result.height_um[:, 20:]).all()
+
+
+def test_bad_input_is_refused_before_a_frame_is_read(frames: ArrayFrames) -> None:
+    class Untouched(ArrayFrames):
+        def stack(self, views: object = None, lights: object = None) -> Iterator[object]:
+            raise AssertionError("a frame was read")
+
+    good = Untouched(frames.images, frames.views, frames.lights, powers=frames.powers)
+    cases: list[tuple[dict, str]] = [
+        ({"images": frames.images[:, :2], "lights": frames.lights[:2]}, "there are 2"),
+        ({"lights": np.array([[0.0, y, 1.0] for y in (-1, 0, 1, 2, 3, 4)])}, "condition number"),
+        ({"lights": None}, "direction of a light is not known"),
+        ({"views": None}, "slope of a view is not known"),
+        ({"height_range_um": None}, "no range of heights"),
+        ({"images": frames.images[:1, :1]}, "tells nothing"),
+    ]
+    for change, message in cases:
+        with pytest.raises(InvalidInputError, match=message) as caught:
+            reconstruct(replace(good, **change), QUICK)
+        assert caught.value.hint
+    with pytest.raises(InvalidInputError, match="no baseline"):
+        reconstruct(replace(frames, views=np.zeros((6, 2))), QUICK)
+
+
+def test_undefined_and_black_frames_are_refused(frames: ArrayFrames) -> None:
+    images = frames.images.copy()
+    images[2, 1, 5, 5] = np.nan
+    with pytest.raises(InvalidInputError, match=r"view v2 hold undefined values"):
+        reconstruct(replace(frames, images=images), QUICK)
+    single = replace(frames, images=images[2:3], views=np.zeros((1, 2)))
+    with pytest.raises(InvalidInputError, match=r"light l1 hold undefined values"):
+        reconstruct(single, QUICK)
+    with pytest.raises(InvalidInputError, match="black"):
+        reconstruct(replace(frames, images=np.zeros_like(images)), QUICK)
+
+
+def test_cancelling(frames: ArrayFrames) -> None:
+    job = Job()
+    job.cancel()
+    with pytest.raises(Cancelled):
+        reconstruct(frames, QUICK, job)
+
+
+def test_settings() -> None:
+    assert settings_for("paper") == Settings()
+    with pytest.raises(InvalidInputError, match="papr") as caught:
+        settings_for("papr")
+    assert "paper" in caught.value.hint
+    for wrong in ({"window": 14}, {"height_range_um": (5.0, 5.0)}, {"trim": (0.9, 0.2)}):
+        with pytest.raises(ValueError, match="must be"):
+            Settings(**wrong)
