@@ -168,18 +168,22 @@ def _take(writer: RunWriter, device: Device, camera: Camera, job: Job) -> Run:
     total = sum(batch.exposures for batch in batches)
     times_s = [_step_times_s(batch, timing, readout_s) for batch in batches]
     left_s = _time_left(times_s)
-    with _lights_off_afterwards(device, camera):
+    # The light goes off before what is still in memory is stored.
+    with (
+        job.stage("acquire", total) as stage,
+        DiskThread(writer) as disk,
+        _lights_off_afterwards(device, camera),
+    ):
         _make_idle(device)
-        with job.stage("acquire", total) as stage, DiskThread(writer) as disk:
-            for batch, step_times_s in zip(batches, times_s, strict=True):
-                run_id = secrets.randbelow(0xFFFF_FFFF) + 1
-                table_hash = _load(device, batch, identity.leds)
-                camera.arm()
-                deadline_s = DEADLINE_FACTOR * sum(step_times_s) + DEADLINE_SPARE_S
-                device.start(run_id, timing=timing, deadline_s=deadline_s)
-                pairing = Pairing(device, camera, batch, table_hash, run_id, timing, readout_s)
-                _collect(pairing, batch, disk, stage, writer.spec.frame, left_s)
-                camera.disarm()
+        for batch, step_times_s in zip(batches, times_s, strict=True):
+            run_id = secrets.randbelow(0xFFFF_FFFF) + 1
+            table_hash = _load(device, batch, identity.leds)
+            camera.arm()
+            deadline_s = DEADLINE_FACTOR * sum(step_times_s) + DEADLINE_SPARE_S
+            device.start(run_id, timing=timing, deadline_s=deadline_s)
+            pairing = Pairing(device, camera, batch, table_hash, run_id, timing, readout_s)
+            _collect(pairing, batch, disk, stage, writer.spec.frame, left_s)
+            camera.disarm()
     return Run.open(writer.finish(job))
 
 

@@ -2,13 +2,16 @@
 
 from __future__ import annotations
 
+import logging
 import queue
 import threading
 from types import TracebackType
 
 from reliefscope.dataset import FrameRecord, RunWriter
-from reliefscope.errors import DatasetError
+from reliefscope.errors import DatasetError, ReliefscopeError
 from reliefscope.units import RawImage
+
+log = logging.getLogger(__name__)
 
 QUEUE_IMAGES = 8
 STALL_S = 60.0
@@ -37,14 +40,7 @@ class DiskThread:
         """
         if self._error is not None:
             raise self._error
-        try:
-            self._queue.put((record, raw), timeout=STALL_S)
-        except queue.Full:
-            raise DatasetError(
-                f"The disk stalled: no image was stored for {STALL_S:g} s.",
-                hint="Check the disk; then go on with "
-                f"`reliefscope acquire --resume {self._writer.folder}`.",
-            ) from None
+        self._give((record, raw))
 
     def __enter__(self) -> DiskThread:
         self._thread.start()
@@ -56,10 +52,30 @@ class DiskThread:
         error: BaseException | None,
         trace: TracebackType | None,
     ) -> None:
-        self._queue.put(None)
-        self._thread.join()
-        if self._error is not None and error is None:
-            raise self._error
+        try:
+            self._give(None)
+            self._thread.join(STALL_S)
+            if self._thread.is_alive():
+                raise self._stalled()
+            if self._error is not None:
+                raise self._error
+        except ReliefscopeError as found:
+            if error is None or error is found:
+                raise
+            log.warning("while storing the last images: %s", found.message)
+
+    def _give(self, item: tuple[FrameRecord, RawImage] | None) -> None:
+        try:
+            self._queue.put(item, timeout=STALL_S)
+        except queue.Full:
+            raise self._stalled() from None
+
+    def _stalled(self) -> DatasetError:
+        return DatasetError(
+            f"The disk stalled: no image was stored for {STALL_S:g} s.",
+            hint="Check the disk; then go on with "
+            f"`reliefscope acquire --resume {self._writer.folder}`.",
+        )
 
     def _work(self) -> None:
         while (item := self._queue.get()) is not None:
