@@ -154,10 +154,9 @@ Error Commands::handle(const wire::SelectApertureRequest& request, wire::SelectA
   if (const Error busy = idle(); busy != Error::kOk) {
     return busy;
   }
-  if (request.slot != kSlotNone) {
-    if (const Error fault = no_fault(detail); fault != Error::kOk) {
-      return fault;
-    }
+  if (request.slot != kSlotNone && instrument_.fault() != wire::FaultReason::kNone) {
+    detail = fault_number();
+    return Error::kFaultLatched;
   }
   if (instrument_.store().aperture(request.slot) == nullptr) {
     detail = request.slot;
@@ -174,19 +173,14 @@ Error Commands::handle(const wire::SelectLightRequest& request, wire::SelectLigh
   if (const Error busy = idle(); busy != Error::kOk) {
     return busy;
   }
-  if (request.slot != kSlotNone) {
-    if (const Error fault = no_fault(detail); fault != Error::kOk) {
-      return fault;
-    }
-  }
   const std::uint16_t* levels = instrument_.store().light(request.slot);
   if (levels == nullptr) {
     detail = request.slot;
     return Error::kSlotEmpty;
   }
-  if (!instrument_.select_light(request.slot)) {
-    detail = instrument_.leds().level_sum(levels);
-    return Error::kCurrentBudget;
+  if (const Error error = instrument_.select_light(request.slot); error != Error::kOk) {
+    detail = error == Error::kFaultLatched ? fault_number() : instrument_.leds().level_sum(levels);
+    return error;
   }
   reply.slot = request.slot;
   reply.level_sum = instrument_.leds().level_sum();
@@ -237,9 +231,6 @@ Error Commands::handle(const wire::StartRequest& request, wire::StartReply& repl
   if (const Error busy = idle(); busy != Error::kOk) {
     return busy;
   }
-  if (const Error fault = no_fault(detail); fault != Error::kOk) {
-    return fault;
-  }
   const Store& store = instrument_.store();
   if (store.step_count() == 0) {
     return Error::kNoTable;
@@ -256,7 +247,10 @@ Error Commands::handle(const wire::StartRequest& request, wire::StartReply& repl
       return Error::kOnTimeLimit;
     }
   }
-  instrument_.start(request);
+  if (const Error error = instrument_.start(request); error != Error::kOk) {
+    detail = fault_number();
+    return error;
+  }
   reply.run_id = request.run_id;
   reply.table_hash = store.table_hash();
   reply.exposures = store.exposures();
@@ -365,9 +359,8 @@ Error Commands::running(std::uint32_t run_id, Detail& detail) const {
   return Error::kNotRunning;
 }
 
-Error Commands::no_fault(Detail& detail) const {
-  detail = static_cast<std::uint32_t>(instrument_.fault());
-  return instrument_.fault() == wire::FaultReason::kNone ? Error::kOk : Error::kFaultLatched;
+Commands::Detail Commands::fault_number() const {
+  return static_cast<Detail>(instrument_.fault());
 }
 
 }  // namespace reliefscope

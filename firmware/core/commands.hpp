@@ -46,7 +46,7 @@ class Commands {
   Error idle() const;
   // OK, or NOT_RUNNING unless this run is under way.
   Error running(std::uint32_t run_id, Detail& detail) const;
-  Error no_fault(Detail& detail) const;
+  Detail fault_number() const;
 
   Hal& hal_;
   Instrument& instrument_;

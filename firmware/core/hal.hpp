@@ -69,7 +69,8 @@ class Hal {
   // Returns on boards without a bootloader.
   virtual void reboot_to_bootloader() = 0;
 
-  // Masks the interrupts that call the core; nests through the returned value [any].
+  // Masks the interrupts that call the core; nests through the returned value. Both must be
+  // compiler barriers [any].
   virtual std::uint32_t lock_interrupts() = 0;
   virtual void restore_interrupts(std::uint32_t state) = 0;
 

@@ -31,9 +31,7 @@ void Instrument::begin(wire::ResetCause cause) {
 
 bool Instrument::poll() {
   hal_.kick_watchdog();
-  if (shut_wanted_) {
-    shut_wanted_ = false;
-    shown_.aperture = kSlotNone;
+  if (take_shut_wanted()) {
     display_.shut();
   }
   const bool heat = check_temperature();
@@ -81,20 +79,27 @@ void Instrument::select_aperture(std::uint8_t slot) {
   shown_.aperture = slot;
 }
 
-bool Instrument::select_light(std::uint8_t slot) {
+wire::ErrorCode Instrument::select_light(std::uint8_t slot) {
   const InterruptLock lock(hal_);
+  if (slot != kSlotNone && fault_ != FaultReason::kNone) {
+    return wire::ErrorCode::kFaultLatched;
+  }
   if (!leds_.set(store_.light(slot))) {
-    return false;
+    return wire::ErrorCode::kCurrentBudget;
   }
   shown_.light = slot;
   arm();
-  return true;
+  return wire::ErrorCode::kOk;
 }
 
-void Instrument::start(const wire::StartRequest& request) {
+wire::ErrorCode Instrument::start(const wire::StartRequest& request) {
   const InterruptLock lock(hal_);
+  if (fault_ != FaultReason::kNone) {
+    return wire::ErrorCode::kFaultLatched;
+  }
   sequencer_.start(request);
   after(FaultReason::kNone);
+  return wire::ErrorCode::kOk;
 }
 
 void Instrument::pause() {
@@ -208,6 +213,17 @@ void Instrument::arm() {
     armed_us_ = due;
     hal_.arm_timer(due);
   }
+}
+
+// The lock also makes the compiler read anew, once a turn, what interrupts may have changed.
+bool Instrument::take_shut_wanted() {
+  const InterruptLock lock(hal_);
+  const bool wanted = shut_wanted_;
+  if (wanted) {
+    shut_wanted_ = false;
+    shown_.aperture = kSlotNone;
+  }
+  return wanted;
 }
 
 bool Instrument::check_temperature() {

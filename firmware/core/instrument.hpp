@@ -46,9 +46,11 @@ class Instrument {
 
   // Requests, from main; the caller has checked slots and that no sequence is under way.
   void select_aperture(std::uint8_t slot);
-  // False: beyond the current budget.
-  bool select_light(std::uint8_t slot);
-  void start(const wire::StartRequest& request);
+  // CURRENT_BUDGET, or FAULT_LATCHED for anything but darkness while a fault is latched: the fault
+  // may have come since the caller looked.
+  wire::ErrorCode select_light(std::uint8_t slot);
+  // FAULT_LATCHED likewise.
+  wire::ErrorCode start(const wire::StartRequest& request);
   void pause();
   void resume();
   void abort(bool shut);
@@ -75,6 +77,7 @@ class Instrument {
   void latch(wire::FaultReason reason, std::uint32_t detail);
   void after(wire::FaultReason reason);
   void arm();
+  bool take_shut_wanted();
   bool check_temperature();
 
   Hal& hal_;

@@ -1,11 +1,15 @@
 #include "core/settings.hpp"
 
+#include <cstring>
+
 #include "core/crc32.hpp"
 
 namespace reliefscope {
 namespace {
 
+// Changes with the fields of the settings: old ones are then not misread.
 constexpr std::uint8_t kLayoutVersion = 1;
+static_assert(wire::GetSettingsReply::kMaxSize == 20, "other settings: another layout version");
 constexpr std::size_t kGenerationAt = 1;
 constexpr std::size_t kValuesAt = kGenerationAt + 4;
 constexpr std::size_t kCrcAt = kValuesAt + wire::GetSettingsReply::kMaxSize;
@@ -58,6 +62,12 @@ void Settings::load() {
 
 bool Settings::set(const wire::GetSettingsReply& values) {
   std::uint8_t bytes[kBankSize];
+  std::uint8_t stored[wire::GetSettingsReply::kMaxSize];
+  wire::encode(values, bytes);
+  wire::encode(values_, stored);
+  if (generation_ != 0 && std::memcmp(bytes, stored, sizeof stored) == 0) {
+    return true;  // a retry, or nothing new: cells wear out
+  }
   bytes[0] = kLayoutVersion;
   put_u32(bytes + kGenerationAt, generation_ + 1);
   wire::encode(values, bytes + kValuesAt);
@@ -65,7 +75,6 @@ bool Settings::set(const wire::GetSettingsReply& values) {
   const std::uint8_t bank = bank_ ^ 1u;
   const std::size_t base = bank * kBankStride;
   for (std::size_t i = 0; i < kBankSize; ++i) {
-    // Equal bytes are left alone: cells wear out.
     if (hal_.nonvolatile_read(base + i) != bytes[i]) {
       hal_.nonvolatile_write(base + i, bytes[i]);
     }

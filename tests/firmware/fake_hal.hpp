@@ -84,6 +84,11 @@ class Hal final : public reliefscope::Hal {
   void set_leds(const std::uint16_t* levels, std::size_t count) override {
     std::uint32_t sum = 0;
     for (std::size_t i = 0; i < count; ++i) {
+      if (leds[i] == 0) {
+        lit_since[i] = now;
+      } else if (now - lit_since[i] > longest_lit) {
+        longest_lit = now - lit_since[i];
+      }
       leds[i] = levels[i];
       sum += levels[i];
     }
@@ -113,7 +118,16 @@ class Hal final : public reliefscope::Hal {
   std::int16_t temperature_centi() override { return temperature; }
   void kick_watchdog() override { ++kicks; }
   void reboot_to_bootloader() override { rebooted = true; }
-  std::uint32_t lock_interrupts() override { return locks++; }
+  // Interrupts that are due come in just before the lock: the worst moment.
+  std::uint32_t lock_interrupts() override {
+    if (locks == 0 && on_lock != nullptr) {
+      void (*interrupt)(void*) = on_lock;
+      on_lock = nullptr;
+      interrupt(on_lock_context);
+      on_lock = interrupt;
+    }
+    return locks++;
+  }
   void restore_interrupts(std::uint32_t state) override { locks = state; }
 
   // Bytes from the host.
@@ -133,12 +147,16 @@ class Hal final : public reliefscope::Hal {
   bool pins[3] = {false, true, false};
   bool inputs[2] = {};
   std::uint16_t leds[kMaxLeds] = {};
+  std::uint64_t lit_since[kMaxLeds] = {};
+  std::uint64_t longest_lit = 0;
   std::uint8_t memory[kMemory];
   std::size_t writes = 0;
   std::size_t writes_until_cut = SIZE_MAX;
   std::int16_t temperature = 2500;
   std::uint32_t locks = 0;
   std::uint32_t kicks = 0;
+  void (*on_lock)(void*) = nullptr;
+  void* on_lock_context = nullptr;
   bool rebooted = false;
   Log<SpiRecord, 96> spi;
   Log<Edge, 64> edges;

@@ -1,4 +1,5 @@
 // What the device does for safety without being asked.
+#include "core/leds.hpp"
 #include "device.hpp"
 #include "unit.hpp"
 
@@ -39,6 +40,21 @@ TEST(safety_leds_are_off_before_anything_else_after_reset) {
   CHECK(hal.led_changes.size() == 1 && hal.led_changes[0].sum == 0);
   CHECK(hal.led_changes[0].at_us == 0);
   CHECK(hal.leds[4] == 0 && !hal.pins[2]);
+}
+
+TEST(safety_leds_take_no_set_beyond_the_budget_whoever_asks) {
+  fake::Hal hal;
+  reliefscope::Leds leds(hal);
+  leds.begin();
+  std::uint16_t levels[reliefscope::kMaxLeds] = {};
+  for (int i = 0; i < 9; ++i) {
+    levels[i] = 4095;
+  }
+  CHECK(!leds.set(levels));
+  CHECK(!leds.lit() && hal.leds[0] == 0);
+  levels[8] = 0;
+  CHECK(leds.set(levels));
+  CHECK(leds.level_sum() == hal.board.level_budget);
 }
 
 TEST(safety_the_link_may_be_silent_for_two_seconds) {

@@ -169,6 +169,56 @@ TEST(sequencer_writes_the_glass_again_for_a_slot_that_was_loaded_anew) {
   CHECK(bench.hal.spi[1].data && bench.hal.spi[1].bytes[0] == 0x3C);
 }
 
+TEST(sequencer_settles_each_step_that_asks_for_it_even_on_the_same_glass) {
+  Bench bench;
+  const wire::Step steps[] = {step(0, 0, 1, 0), step(0, 1, 1, 80000)};
+  CHECK(bench.begin(steps, 2));
+  bench.run_for(1000000);
+  bench.collect_events();
+  wire::ExposureEvent first;
+  wire::ExposureEvent second;
+  CHECK(bench.event(1, first) && bench.event(2, second));
+  CHECK(second.start_us == first.start_us + kExposureUs + kTailUs + 2000 + 80000);
+}
+
+TEST(sequencer_keeps_the_gap_over_a_pause) {
+  Bench bench;
+  bench.start.gap_us = 1000000;
+  const wire::Step steps[] = {step(0, 0, 2, 0)};
+  CHECK(bench.begin(steps, 1));
+  while (bench.triggers() == 0) {
+    bench.run_for(100);
+  }
+  CHECK(bench.pause() == SequenceState::kPausing);
+  while (bench.status().sequence != SequenceState::kPaused) {
+    bench.run_for(100);
+  }
+  CHECK(bench.resume() == SequenceState::kRunning);
+  bench.run_for(2000000);
+  bench.collect_events();
+  wire::ExposureEvent first;
+  wire::ExposureEvent second;
+  CHECK(bench.event(1, first) && bench.event(4, second));
+  CHECK(second.start_us >= first.start_us + kExposureUs + kTailUs + 1000000);
+}
+
+TEST(sequencer_goes_on_in_silence) {
+  Bench bench;
+  wire::Step longer = step(0, 0, 3, 0);
+  longer.exposure_us = 1500000;
+  CHECK(bench.begin(&longer, 1));
+  bench.run_for(6000000);
+  bench.collect_events();
+  CHECK(bench.news(4, SequenceNews::kFinished));
+  const fake::Log<fake::LedChange, 64>& led = bench.hal.led_changes;
+  CHECK(led.size() == 6);
+  for (std::size_t i = 0; i < 6; i += 2) {
+    CHECK(led[i].sum == 1000 && led[i + 1].sum == 0);
+    CHECK(led[i + 1].at_us - led[i].at_us == 500 + 1500000 + kTailUs);
+  }
+  CHECK(bench.counters().link_timeouts == 0);
+}
+
 TEST(sequencer_turns_a_light_selected_by_hand_off_first) {
   Bench bench;
   wire::SelectLightRequest select;
