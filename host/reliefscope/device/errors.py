@@ -16,6 +16,10 @@ class DeviceNotFoundError(DeviceError):
     """There is no such port, or it may not be opened."""
 
 
+class PortAccessError(DeviceNotFoundError):
+    """The port is there, but this user may not open it."""
+
+
 class DeviceTimeout(DeviceError):  # noqa: N818 - it ends a wait; the device itself is well
     """No event came within the time given; the link itself is alive."""
 

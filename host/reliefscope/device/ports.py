@@ -12,7 +12,7 @@ from typing import Any, Protocol, cast
 import serial
 from serial.tools import list_ports as serial_ports
 
-from reliefscope.device.errors import DeviceNotFoundError
+from reliefscope.device.errors import DeviceNotFoundError, PortAccessError
 from reliefscope.errors import LockedError
 
 logger = logging.getLogger(__name__)
@@ -52,12 +52,16 @@ class Port(Protocol):
 
 @dataclass(frozen=True, slots=True)
 class PortInfo:
-    """A serial port of this computer; ``is_teensy`` by its USB vendor and product id."""
+    """A serial port of this computer; ``is_teensy`` by its USB vendor and product id.
+
+    ``location`` is USB bus and ports ("1-2.4"), empty where the system does not tell.
+    """
 
     port: str
     description: str
     serial_number: str
     is_teensy: bool
+    location: str = ""
 
 
 def list_ports() -> list[PortInfo]:
@@ -68,6 +72,7 @@ def list_ports() -> list[PortInfo]:
             description=p.description or "",
             serial_number=p.serial_number or "",
             is_teensy=(p.vid, p.pid) == (TEENSY_VID, TEENSY_SERIAL_PID),
+            location=(p.location or "").partition(":")[0],
         )
         for p in serial_ports.comports()
     ]
@@ -118,7 +123,7 @@ def _open_error(url: str, error: OSError) -> DeviceNotFoundError | LockedError:
             hint="Close the other reliefscope or serial terminal, then try again.",
         )
     if error.errno in {errno.EACCES, errno.EPERM} or "PermissionError" in text:
-        return DeviceNotFoundError(
+        return PortAccessError(
             f"{url} may not be opened by this user.",
             hint=f"Allow it once with: {UDEV_COMMAND}; then plug the device in again.",
         )
