@@ -3,6 +3,7 @@
 import errno
 import json
 import os
+import random
 import signal
 import subprocess
 import sys
@@ -14,8 +15,8 @@ import pytest
 from tests.dataset.helpers import fill, make_run, pixels, record, small_spec
 from tests.support import REPOSITORY
 
-from reliefscope.dataset import Run, RunWriter, durable
-from reliefscope.dataset.run import IncompleteRunWarning
+from reliefscope.dataset import IncompleteRunWarning, Run, RunWriter, durable
+from reliefscope.dataset.records import Journal, key_text
 from reliefscope.errors import (
     DatasetError,
     InvalidInputError,
@@ -79,6 +80,21 @@ def test_a_torn_journal_line_is_ignored_and_its_frame_retaken(tmp_path: Path) ->
         writer.finish()
     lines = (tmp_path / "run" / "journal.jsonl").read_text().splitlines()
     assert len([json.loads(line) for line in lines]) == 10
+
+
+def test_a_journal_cut_anywhere_gives_the_lines_before_the_cut(tmp_path: Path) -> None:
+    run = make_run(tmp_path / "run")
+    data = (run.path / "journal.jsonl").read_bytes()
+    ends = [index + 1 for index, byte in enumerate(data) if byte == ord("\n")]
+    keys = list(run.journal.entries)
+    cut = tmp_path / "cut.jsonl"
+    for length in {*range(0, len(data), 37), *ends, *(end - 1 for end in ends)}:
+        cut.write_bytes(data[:length])
+        journal = Journal.read(cut)
+        whole = sum(end <= length for end in ends)
+        assert list(journal.entries) == keys[:whole]
+        assert journal.problems == []
+        assert journal.whole_bytes == ([0, *ends])[whole]
 
 
 def test_a_damaged_line_in_the_middle_costs_one_frame(tmp_path: Path) -> None:
@@ -191,6 +207,20 @@ def test_a_full_disk_is_one_clear_error_and_loses_nothing(
         assert Run.open(writer.finish()).verify().ok
 
 
+def test_a_full_disk_at_the_beginning_leaves_nothing_behind(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    def full(handle: int) -> None:
+        raise OSError(errno.ENOSPC, os.strerror(errno.ENOSPC))
+
+    monkeypatch.setattr(durable.os, "fsync", full)
+    with pytest.raises(DatasetError, match="disk is full"):
+        RunWriter.create(tmp_path / "folder" / "run", small_spec())
+    monkeypatch.undo()
+    assert list((tmp_path / "folder").iterdir()) == []
+    RunWriter.create(tmp_path / "folder" / "run", small_spec()).close()
+
+
 def test_a_journal_line_that_does_not_fit_leaves_no_part_behind(
     tmp_path: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:
@@ -236,6 +266,12 @@ with RunWriter.create(Path(sys.argv[1]), small_spec()) as writer:
 """
 
 
+RESUMED = (
+    "(RunWriter.resume if Path(sys.argv[1] + '.partial').exists() else "
+    "lambda path: RunWriter.create(path, small_spec()))(Path(sys.argv[1]))"
+)
+
+
 @pytest.mark.parametrize("acknowledged", [1, 4])
 def test_kill_in_the_middle_loses_nothing_acknowledged(tmp_path: Path, acknowledged: int) -> None:
     process = subprocess.Popen(
@@ -258,3 +294,34 @@ def test_kill_in_the_middle_loses_nothing_acknowledged(tmp_path: Path, acknowled
         fill(writer)
         run = Run.open(writer.finish())
     assert run.verify().ok
+
+
+@pytest.mark.soak
+def test_many_kills_at_random_moments_lose_nothing(tmp_path: Path) -> None:
+    rng = random.Random(3)
+    resumed = KILLED.replace("RunWriter.create(Path(sys.argv[1]), small_spec())", RESUMED)
+    kept: dict[str, str] = {}
+    for _ in range(40):
+        process = subprocess.Popen(
+            [sys.executable, "-c", resumed, str(tmp_path / "run")],
+            stdout=subprocess.PIPE,
+            text=True,
+            cwd=REPOSITORY,
+        )
+        assert process.stdout is not None
+        told = [process.stdout.readline().strip()]
+        time.sleep(rng.uniform(0, 0.1))
+        process.send_signal(signal.SIGKILL)
+        told += process.stdout.read().split()
+        process.wait()
+        process.stdout.close()
+        journal = Journal.read(next(tmp_path.glob("run*")) / "journal.jsonl")
+        hashes = {key_text(key): entry.sha256 for key, entry in journal.entries.items()}
+        assert set(filter(None, told)) <= set(hashes)
+        assert kept.items() <= hashes.items()
+        kept = hashes
+        if len(kept) == 10:
+            break
+    with RunWriter.resume(tmp_path / "run") as writer:
+        assert writer.verify().damaged == {}
+        assert len(writer.missing()) == 10 - len(kept)

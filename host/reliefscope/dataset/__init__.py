@@ -2,7 +2,7 @@
 
 from reliefscope.dataset.importer import import_photographs
 from reliefscope.dataset.records import Confirmed, FrameRecord, SourceFile
-from reliefscope.dataset.run import Run
+from reliefscope.dataset.run import IncompleteRunWarning, Run
 from reliefscope.dataset.spec import (
     AcquiredSpec,
     FrameFormat,
@@ -23,6 +23,7 @@ __all__ = [
     "ImportedLight",
     "ImportedSpec",
     "ImportedView",
+    "IncompleteRunWarning",
     "Run",
     "RunSpec",
     "RunWriter",

@@ -24,6 +24,7 @@ class RunLock:
     """
 
     def __init__(self, folder: Path) -> None:
+        self._holder = folder / HOLDER_FILE
         self._lock = filelock.FileLock(folder / LOCK_FILE, timeout=0)
         try:
             self._lock.acquire()
@@ -34,11 +35,14 @@ class RunLock:
             ) from None
         # A file of its own: some versions of the lock empty the locked file when another process asks for it.
         with contextlib.suppress(OSError):
-            (folder / HOLDER_FILE).write_text(f"{os.getpid()}\n", encoding="ascii")
+            self._holder.write_text(f"{os.getpid()}\n", encoding="ascii")
 
     def release(self) -> None:
-        """Let others use the run."""
-        self._lock.release()
+        """Let others use the run; releasing twice does no harm."""
+        if self._lock.is_locked:
+            with contextlib.suppress(OSError):
+                self._holder.unlink()
+            self._lock.release()
 
     def __enter__(self) -> RunLock:
         return self

@@ -144,28 +144,26 @@ class RunWriter:
         """
         check_output(path, spec.storage_bytes())
         folder = partial_path(path)
+        # Whatever ends this early leaves no folder that looks like a run.
+        staging = path.with_name(f".{path.name}.new-{os.getpid()}")
         try:
-            parents = make_folders(folder.absolute().parent)
-            folder.mkdir()
+            parents = make_folders(staging)
+            Layout(spec).create(staging)
+            write_spec(staging, spec)
+            if folder.exists():
+                raise OutputExistsError(
+                    f"{folder} exists; nothing was overwritten.", hint="Choose another name."
+                )
+            staging.rename(folder)
             for parent in [folder.absolute().parent, *parents]:
                 sync_folder(parent)
-        except FileExistsError:
-            raise OutputExistsError(
-                f"{folder} exists; nothing was overwritten.", hint="Choose another name."
-            ) from None
         except OSError as error:
-            raise disk_error(error, folder) from error
-        lock = RunLock(folder)
-        try:
-            Layout(spec).create(folder)
-            write_spec(folder, spec)
-            return cls(folder, spec, lock)
-        except OSError as error:
-            lock.release()
+            shutil.rmtree(staging, ignore_errors=True)
             raise disk_error(error, folder) from error
         except BaseException:
-            lock.release()
+            shutil.rmtree(staging, ignore_errors=True)
             raise
+        return cls._locked(folder, spec)
 
     @classmethod
     def resume(cls, path: Path, job: Job | None = None) -> RunWriter:
@@ -185,15 +183,22 @@ class RunWriter:
             raise DatasetError(
                 f"There is no run {path}.", hint=f"Look for it: `ls {path.absolute().parent}`."
             )
-        spec = read_spec(folder)
+        writer = cls._locked(folder, read_spec(folder))
+        try:
+            writer.verify(job)
+        except BaseException:
+            writer.close()
+            raise
+        return writer
+
+    @classmethod
+    def _locked(cls, folder: Path, spec: RunSpec) -> RunWriter:
         lock = RunLock(folder)
         try:
-            writer = cls(folder, spec, lock)
-            writer.verify(job)
+            return cls(folder, spec, lock)
         except BaseException:
             lock.release()
             raise
-        return writer
 
     def __enter__(self) -> RunWriter:
         return self
