@@ -14,7 +14,7 @@ from reliefscope.cli.progress import duration, label
 
 if TYPE_CHECKING:
     from reliefscope.doctor import Check
-    from reliefscope.microscope import DemoResult, Outcome, TableRow
+    from reliefscope.microscope import DemoResult, Evaluation, Outcome
 
 SECTIONS = {
     "checker_tops": "checker tops",
@@ -57,8 +57,9 @@ def _text(value: Any) -> str:
     return str(value)
 
 
-def show_table(console: Console, rows: Sequence[TableRow], paper: Mapping[str, float]) -> None:
+def show_table(console: Console, evaluation: Evaluation) -> None:
     """Mean absolute errors beside Table I of the paper."""
+    rows = evaluation.table
     for method in dict.fromkeys(row["method"] for row in rows):
         table = Table(
             title=f"Mean absolute error in µm, method {method}",
@@ -72,7 +73,7 @@ def show_table(console: Console, rows: Sequence[TableRow], paper: Mapping[str, f
         table.add_column("paper,\nTable I", justify="right", style="cyan")
         for row in rows:
             if row["method"] == method:
-                _add_errors(table, row, paper.get(row["section"]))
+                _add_errors(table, row, evaluation.paper_um.get(row["section"]))
         console.print(table)
     console.print(
         "[dim]Every pixel counts, a missing height as 100 µm. The paper does not tell its alignment, "
@@ -80,7 +81,7 @@ def show_table(console: Console, rows: Sequence[TableRow], paper: Mapping[str, f
     )
 
 
-def _add_errors(table: Table, row: TableRow, reference: float | None) -> None:
+def _add_errors(table: Table, row: Mapping[str, Any], reference: float | None) -> None:
     offset = row["mae_offset_um"]
     colour = "" if reference is None else ("green" if offset <= reference else "yellow")
     table.add_row(
@@ -106,8 +107,8 @@ def show_stages(console: Console, stages_s: Mapping[str, float], total_s: float)
 
 def show_demo(console: Console, result: DemoResult) -> None:
     """The demo's table, times and places."""
-    if result.table:
-        show_table(console, result.table, result.paper_table)
+    if result.evaluation is not None:
+        show_table(console, result.evaluation)
     show_stages(console, result.stages_s, result.total_s)
     _show_places(console, result.outcome)
     console.print(f"\nLook at it: [bold]reliefscope info {escape(str(result.run))}[/]")

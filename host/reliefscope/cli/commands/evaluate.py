@@ -17,11 +17,8 @@ def evaluate(
         typer.Option("--name", help="Result to evaluate; every result of the run if left out."),
     ] = None,
     seed: Annotated[
-        int | None,
-        typer.Option(
-            "--seed", help="Seed of the fiducial; the one that the run tells if left out."
-        ),
-    ] = None,
+        int, typer.Option("--fiducial-seed", help="Seed that drew the fiducial's slanted planes.")
+    ] = 1,
     as_json: JsonFlag = False,
     progress: ProgressOption = ProgressMode.AUTO,
 ) -> None:
@@ -33,6 +30,9 @@ def evaluate(
     with session(progress, as_json=as_json) as this:
         from reliefscope import microscope
         from reliefscope.cli.tables import show_table
+        from reliefscope.targets import Fiducial3D
 
-        evaluation = microscope.evaluate_run(run, name=name, seed=seed, job=this.job)
-    this.result(evaluation.as_dict(), lambda console: show_table(console, evaluation.table))
+        evaluation = microscope.evaluate_run(
+            run, name=name, target=Fiducial3D(seed=seed), job=this.job
+        )
+    this.result(evaluation.as_dict(), lambda console: show_table(console, evaluation))

@@ -1,0 +1,42 @@
+"""The public API: everything that the command line and the terminal screen can do.
+
+Example::
+
+    from reliefscope.microscope import Microscope
+
+    with Microscope.open("sim://benchtop?scene=fiducial") as microscope:
+        run = microscope.acquire(out="runs/first")
+    outcome = run.reconstruct()
+    print(outcome.reconstruction.height_um.shape, run.evaluate().table)
+"""
+
+from reliefscope.microscope.demonstration import DemoResult, demo
+from reliefscope.microscope.instruments import Instrument, default_devices, resolve_instrument
+from reliefscope.microscope.live import Microscope
+from reliefscope.microscope.places import fresh_path
+from reliefscope.microscope.stored import (
+    Evaluation,
+    Outcome,
+    StoredRun,
+    evaluate_run,
+    import_photographs,
+    open_run,
+    reconstruct_run,
+)
+
+__all__ = [
+    "DemoResult",
+    "Evaluation",
+    "Instrument",
+    "Microscope",
+    "Outcome",
+    "StoredRun",
+    "default_devices",
+    "demo",
+    "evaluate_run",
+    "fresh_path",
+    "import_photographs",
+    "open_run",
+    "reconstruct_run",
+    "resolve_instrument",
+]
