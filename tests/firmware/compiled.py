@@ -1,12 +1,21 @@
 """The compiled core in virtual time, and a host that speaks to it through the other implementation of the wire."""
 
 import ctypes
+import zlib
 from ctypes import c_size_t, c_uint32, c_uint64, c_void_p
 from pathlib import Path
 from typing import NamedTuple, Self
 
 from reliefscope.protocol.framing import Frame, FrameReader
-from reliefscope.protocol.messages import MESSAGES
+from reliefscope.protocol.messages import (
+    MESSAGES,
+    ApertureChunkRequest,
+    CommitApertureRequest,
+    CommitStepsRequest,
+    LoadLightRequest,
+    StartRequest,
+    StepChunkRequest,
+)
 
 NONCE = 0x5EED5EED
 FIRST_ANSWER = 0x80
@@ -118,3 +127,35 @@ class Device:
         self.feed(frame(request, request_id, nonce))
         (answer,) = self.answers(request_id)
         return answer
+
+
+def light(level, slot=0):
+    return LoadLightRequest(slot=slot, levels=(level,))
+
+
+def load_sequence(device, steps, run_id, deadline_ms):
+    """Apertures 0 and 1, lights 0 and 1, the table, and its start; ids from 1."""
+    ids = iter(range(1, 100))
+    for slot in (0, 1):
+        bitmap = bytes([0x0F << slot]) * 1024
+        for chunk in range(4):
+            device.ask(ApertureChunkRequest(slot=slot, chunk=chunk, data=bitmap[:256]), next(ids))
+        device.ask(CommitApertureRequest(slot=slot, crc32=zlib.crc32(bitmap)), next(ids))
+        device.ask(light(100 + slot, slot), next(ids))
+    table = b"".join(step.pack() for step in steps)
+    for first in range(0, len(steps), 16):
+        chunk = StepChunkRequest(first=first, steps=tuple(steps[first : first + 16]))
+        device.ask(chunk, next(ids))
+    device.ask(CommitStepsRequest(count=len(steps), crc32=zlib.crc32(table)), next(ids))
+    start = StartRequest(
+        run_id=run_id,
+        table_hash=zlib.crc32(table),
+        deadline_ms=deadline_ms,
+        light_lead_us=300,
+        trigger_us=20,
+        gap_us=1000,
+        ready_timeout_ms=0,
+        require_strobe=False,
+    )
+    device.ask(start, next(ids))
+    return zlib.crc32(table)

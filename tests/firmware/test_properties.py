@@ -1,18 +1,13 @@
 """Properties of framer, dispatch and sequencer, through the compiled core."""
 
 import random
-import zlib
 
-from cobs import cobs
 from hypothesis import given, settings
 from hypothesis import strategies as st
-from tests.firmware.compiled import NONCE, Device, frame
+from tests.firmware.compiled import NONCE, Device, frame, light, load_sequence
 
 from reliefscope.protocol.messages import (
     AcknowledgeEventsRequest,
-    ApertureChunkRequest,
-    CommitApertureRequest,
-    CommitStepsRequest,
     CountersRequest,
     ErrorCode,
     ExposureEvent,
@@ -20,25 +15,18 @@ from reliefscope.protocol.messages import (
     HelloReply,
     HelloRequest,
     LoadLightReply,
-    LoadLightRequest,
     Rejected,
     SelectLightReply,
     SelectLightRequest,
     SequenceEvent,
-    StartRequest,
     StatusReply,
     StatusRequest,
     Step,
-    StepChunkRequest,
 )
 
 TRACE_LED = 3
 RING = 16
 HELLO_ID = 0xFFFF_FFFF
-
-
-def light(level, slot=0):
-    return LoadLightRequest(slot=slot, levels=(level,))
 
 
 def selected_level(device, request_id):
@@ -168,34 +156,6 @@ def test_a_bad_line_makes_no_answer_wrong(library, seed, rate):
         assert selected_level(device, 1000) == request.levels[0]
 
 
-def load_sequence(device, steps, run_id, deadline_ms):
-    """Apertures 0 and 1, lights 0 and 1, the table, and its start; ids from 1."""
-    ids = iter(range(1, 100))
-    for slot in (0, 1):
-        bitmap = bytes([0x0F << slot]) * 1024
-        for chunk in range(4):
-            device.ask(ApertureChunkRequest(slot=slot, chunk=chunk, data=bitmap[:256]), next(ids))
-        device.ask(CommitApertureRequest(slot=slot, crc32=zlib.crc32(bitmap)), next(ids))
-        device.ask(light(100 + slot, slot), next(ids))
-    table = b"".join(step.pack() for step in steps)
-    for first in range(0, len(steps), 16):
-        chunk = StepChunkRequest(first=first, steps=tuple(steps[first : first + 16]))
-        device.ask(chunk, next(ids))
-    device.ask(CommitStepsRequest(count=len(steps), crc32=zlib.crc32(table)), next(ids))
-    start = StartRequest(
-        run_id=run_id,
-        table_hash=zlib.crc32(table),
-        deadline_ms=deadline_ms,
-        light_lead_us=300,
-        trigger_us=20,
-        gap_us=1000,
-        ready_timeout_ms=0,
-        require_strobe=False,
-    )
-    device.ask(start, next(ids))
-    return zlib.crc32(table)
-
-
 steps_of = st.lists(
     st.builds(
         Step,
@@ -276,50 +236,3 @@ def test_a_reset_at_any_moment_leaves_the_light_off_and_shuts_first(library, ste
         hello = device.ask(HelloRequest(), HELLO_ID)
         assert hello.reset_cause == cause
         assert hello.boot_nonce == NONCE + 1
-
-
-def test_the_same_calls_give_the_same_trace(library):
-    steps = [
-        Step(aperture=i % 2, light=i % 2, repeat=2, settle_us=999, exposure_us=777)
-        for i in range(9)
-    ]
-    runs = []
-    for _ in range(2):
-        with Device(library) as device:
-            load_sequence(device, steps, 1, 60_000)
-            device.run_for(1_000_000)
-            runs.append((device.trace(), device.output()))
-    assert runs[0] == runs[1]
-
-
-def test_wakeups_lead_through_a_sequence_without_polling(library):
-    """A caller that jumps from one announced time to the next sees what one sees that asks every microsecond."""
-    steps = [Step(aperture=0, light=0, repeat=3, settle_us=500, exposure_us=300)]
-    traces = []
-    for jump in (True, False):
-        with Device(library) as device:
-            load_sequence(device, steps, 1, 60_000)
-            end = device.now_us + 30_000
-            while device.now_us < end:
-                wakeup = device.library.rs_next_wakeup_us(device.handle)
-                device.run_for(max(1, min(wakeup, end) - device.now_us) if jump else 1)
-            traces.append(device.trace())
-    assert traces[0] == traces[1]
-
-
-def test_the_nonvolatile_memory_carries_over(library):
-    with Device(library) as device:
-        device.run_for(1000)
-        count = device.library.rs_nonvolatile_read(device.handle, device.buffer, len(device.buffer))
-        assert count == 2048
-        memory = device.buffer.raw[:count]
-        assert memory == b"\xff" * 2048
-    with Device(library, memory) as device:
-        assert isinstance(device.ask(HelloRequest(), HELLO_ID), HelloReply)
-
-
-def test_stuffing_of_the_core_is_the_package_cobs(library):
-    with Device(library) as device:
-        device.feed(frame(HelloRequest(), 3))
-        parts = [part for part in device.output().split(b"\0") if part]
-        assert all(cobs.encode(cobs.decode(part)) == part for part in parts)

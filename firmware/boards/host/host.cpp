@@ -21,7 +21,7 @@ namespace wire = reliefscope::wire;
 constexpr std::size_t kNonvolatileSize = 2048;  // the Teensy 3.2's
 // Room of a USB serial port's buffers on both sides together.
 constexpr std::size_t kSerialCapacity = 4096;
-constexpr std::size_t kTraceCapacity = std::size_t{1} << 24;
+constexpr std::size_t kTraceCapacity = std::size_t{1} << 22;
 constexpr std::uint64_t kSpiByteUs = 2;  // 4 MHz
 constexpr std::size_t kInputs = 2;
 constexpr std::size_t kPins = 3;
@@ -134,6 +134,7 @@ class HostBoard final : public reliefscope::Hal {
     while (!record_sizes_.empty() && size + record_sizes_.front() <= capacity) {
       size += take(trace_, bytes + size, record_sizes_.front());
       record_sizes_.pop_front();
+      overflown_ = false;
     }
     return size;
   }
@@ -249,15 +250,13 @@ class HostBoard final : public reliefscope::Hal {
 
   void record(Trace kind, std::uint8_t arg, const std::uint8_t* payload, std::size_t size) {
     constexpr std::size_t kHead = 12;
+    if (overflown_) {
+      return;
+    }
     if (trace_.size() + 2 * kHead + size > kTraceCapacity) {
-      if (overflown_) {
-        return;
-      }
       overflown_ = true;
       kind = Trace::kOverflow;
       size = 0;
-    } else {
-      overflown_ = false;
     }
     std::uint8_t head[kHead] = {static_cast<std::uint8_t>(kind), arg,
                                 static_cast<std::uint8_t>(size),
