@@ -50,7 +50,7 @@ def reference(tmp_path_factory: pytest.TempPathFactory) -> Run:
 
 
 def assert_same_pixels(run: Run, reference: Run) -> None:
-    """Equal but for the glass: 0.4 s after a switch it still has 0.2 % of its way to go, later less."""
+    """Equal but for the glass: 0.4 s after a switch it still has up to 0.8 % of its way to go, later less."""
     for key, request in reference.layout.requests.items():
         np.testing.assert_allclose(
             run.raw(*key).astype(float),
