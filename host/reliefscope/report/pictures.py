@@ -1,0 +1,339 @@
+"""Pictures of a reconstruction as PNG files: maps with scales, an oblique view and an overview.
+
+Drawn with matplotlib's Agg canvas, without its global state, so that any thread may draw.  Maps are coloured
+here and reduced to what a screen shows before matplotlib sees them: that is what takes the time.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from dataclasses import dataclass, replace
+from pathlib import Path
+from typing import TYPE_CHECKING
+
+import cv2
+import numpy as np
+from numpy.typing import NDArray
+
+from reliefscope.errors import DatasetError
+from reliefscope.jobs import Job, ensure_job
+from reliefscope.reconstruction.result import Reconstruction
+from reliefscope.report.oblique import FLAT_LIGHT, TILT_DEG, render_oblique, shade
+from reliefscope.units import BoolImage, FloatImage
+
+if TYPE_CHECKING:
+    from matplotlib.axes import Axes
+    from matplotlib.figure import Figure
+
+Rgb = NDArray[np.uint8]
+Extent = tuple[float, float, float, float]
+
+_WIDTH_PX = 1100
+"""Width to which maps are reduced."""
+_DPI = 130
+_BLANK = np.array([232, 234, 237], np.uint8)
+_INK = "#22262b"
+_FONT_SIZE = 9.0
+
+
+@dataclass(frozen=True, slots=True)
+class _Map:
+    """A coloured map (h, w, 3) and the bar that explains it; no bar where ``unit`` is empty."""
+
+    title: str
+    rgb: Rgb
+    unit: str = ""
+    colours: str = "viridis"
+    low: float = 0.0
+    high: float = 1.0
+
+
+def write_pictures(
+    reconstruction: Reconstruction, folder: Path, job: Job | None = None
+) -> tuple[Path, ...]:
+    """Draw every picture that the reconstruction allows for and return the files, overview first.
+
+    Files: ``overview``, ``fused`` (or ``stereo``, ``integrated``), ``oblique``, ``height_map``,
+    ``quality_stereo``, ``normals``, ``slant``, ``quality_photometric``, ``micrograph``, all ``.png``.
+
+    Raises
+    ------
+    DatasetError
+        A file could not be written.
+    """
+    view = _Reduced(reconstruction)
+    makers: list[tuple[str, Callable[[], _Map]]] = [(reconstruction.kind, view.surface)]
+    if view.stereo is not None:
+        makers += [("height_map", view.height_map), ("quality_stereo", view.quality_stereo)]
+    if view.normals is not None:
+        makers += [
+            ("normals", view.normal_map),
+            ("slant", view.slant),
+            ("quality_photometric", view.quality_photometric),
+        ]
+    if view.micrograph is not None:
+        makers.append(("micrograph", view.micrograph_map))
+    maps: dict[str, _Map] = {}
+    written: list[Path] = []
+    try:
+        folder.mkdir(parents=True, exist_ok=True)
+        with ensure_job(job).stage("pictures", len(makers) + 2) as stage:
+            for name, make in makers:
+                maps[name] = make()
+                written.append(_save_map(maps[name], view.extent_um, folder / f"{name}.png"))
+                stage.advance()
+            oblique = view.oblique()
+            written.insert(1, _save_image(oblique, folder / "oblique.png"))
+            stage.advance()
+            overview = _overview(maps, oblique, view.extent_um)
+            written.insert(0, _save_figure(overview, folder / "overview.png"))
+    except OSError as error:
+        raise DatasetError(
+            f"A picture could not be written to {folder}: {error.strerror or error}.",
+            hint=f"Check space and permissions: `df -h {folder.parent}`.",
+        ) from error
+    return tuple(written)
+
+
+class _Reduced:
+    """Maps of a reconstruction at the size of the pictures."""
+
+    def __init__(self, reconstruction: Reconstruction) -> None:
+        rows, columns = reconstruction.height_um.shape
+        factor = min(1.0, _WIDTH_PX / columns)
+        self._size = (max(1, round(columns * factor)), max(1, round(rows * factor)))
+        self._settings = reconstruction.settings
+        self._kind = reconstruction.kind
+        self.pixel_um = reconstruction.pixel_um * columns / self._size[0]
+        half = reconstruction.pixel_um * columns / 2, reconstruction.pixel_um * rows / 2
+        self.extent_um: Extent = (-half[0], half[0], -half[1], half[1])
+        self.height = self._reduce(reconstruction.height_um)
+        self.known: BoolImage = np.asarray(np.isfinite(self.height))
+        self.span = _span(self.height)
+        base = np.float32(self.span[0])
+        self.filled = np.where(self.known, self.height, base)
+        self.light = shade(self.filled, self.pixel_um)
+        self.stereo = _maybe(reconstruction.stereo_height_um, self._reduce)
+        self._stereo_quality = _maybe(reconstruction.stereo_quality, self._reduce)
+        self.normals = _maybe(reconstruction.normals, self._reduce)
+        self._photometric_quality = _maybe(reconstruction.photometric_quality, self._reduce)
+        self._albedo = _maybe(reconstruction.albedo, self._reduce)
+        self.micrograph = _maybe(reconstruction.micrograph, self._reduce)
+
+    def _reduce(self, image: FloatImage) -> FloatImage:
+        if image.shape[1::-1] == self._size:
+            return image
+        # where some of the pixels under one are missing it is the mean of the others
+        known = np.isfinite(image).astype(np.float32)
+        total = cv2.resize(np.nan_to_num(image), self._size, interpolation=cv2.INTER_AREA)
+        share = cv2.resize(known, self._size, interpolation=cv2.INTER_AREA)
+        with np.errstate(invalid="ignore", divide="ignore"):
+            reduced: FloatImage = np.where(share > 0.25, total / share, np.float32(np.nan))
+        return reduced
+
+    def surface(self) -> _Map:
+        """The result, coloured by height and lit from the upper left."""
+        colours = _coloured(self.height, self.span, "viridis")
+        lit = colours * np.clip(self.light / FLAT_LIGHT, 0.3, 1.25)[..., None]
+        rgb = np.where(self.known[..., None], np.clip(lit, 0, 255), _BLANK).astype(np.uint8)
+        titles = {"fused": "Fused height", "stereo": "Height by stereo", "integrated": "Relief"}
+        title = titles.get(self._kind, "Height")
+        return _Map(title, rgb, "height (µm)", "viridis", *self.span)
+
+    def height_map(self) -> _Map:
+        """Stereo heights as matched, low quality left blank."""
+        assert self.stereo is not None  # asked for only where there is one
+        assert self._stereo_quality is not None
+        kept = self._stereo_quality >= self._settings.stereo_quality
+        height = np.where(kept, self.stereo, np.float32(np.nan))
+        return _Map(
+            "Stereo height",
+            _coloured(height, self.span, "viridis"),
+            "height (µm)",
+            "viridis",
+            *self.span,
+        )
+
+    def quality_stereo(self) -> _Map:
+        """Peak minus median of the mean correlation."""
+        assert self._stereo_quality is not None  # comes with the stereo height
+        title = f"Stereo quality (< {self._settings.stereo_quality:g} blank)"
+        return self._quality(title, self._stereo_quality, self._settings.stereo_quality)
+
+    def quality_photometric(self) -> _Map:
+        """Score of eq. 10."""
+        assert self._photometric_quality is not None  # comes with the normals
+        limit = self._settings.photometric_quality
+        title = f"Photometric quality (< {limit:g} blank)"
+        return self._quality(title, self._photometric_quality, limit)
+
+    def _quality(self, title: str, quality: FloatImage, limit: float) -> _Map:
+        kept = np.where(quality >= limit, quality, np.float32(np.nan))
+        return _Map(title, _coloured(kept, (0.0, 1.0), "cividis"), "quality", "cividis", 0.0, 1.0)
+
+    def normal_map(self) -> _Map:
+        """Normals as colours: x in red, y in green, z in blue."""
+        assert self.normals is not None  # asked for only where there are some
+        known = np.isfinite(self.normals[..., 2])
+        colours = np.nan_to_num(127.5 * (self.normals + 1.0))
+        rgb = np.where(known[..., None], np.clip(colours, 0, 255), _BLANK).astype(np.uint8)
+        return _Map("Normals (red: x, green: y, blue: z)", rgb)
+
+    def slant(self) -> _Map:
+        """Angle between normal and optical axis."""
+        assert self.normals is not None  # asked for only where there are some
+        angle = np.degrees(np.arccos(np.clip(self.normals[..., 2], -1.0, 1.0)))
+        return _Map(
+            "Slant", _coloured(angle, (0.0, 80.0), "magma"), "slant (degrees)", "magma", 0.0, 80.0
+        )
+
+    def micrograph_map(self) -> _Map:
+        """Luminance with the tone curve of a screen."""
+        assert self.micrograph is not None  # asked for only where there is one
+        return _Map(
+            "Micrograph",
+            np.repeat((255 * _toned(self.micrograph))[..., None], 3, -1).astype(np.uint8),
+        )
+
+    def oblique(self) -> Rgb:
+        """The surface seen at a tilt, in the grey of its albedo where it is known."""
+        albedo = self._albedo if self._albedo is not None else self.micrograph
+        tone = np.full(self.height.shape, 0.8, np.float32)
+        if albedo is not None:
+            tone = (0.38 + 0.55 * _toned(albedo)).astype(np.float32)
+        warm = np.array([1.0, 0.975, 0.94], np.float32)
+        colour = np.clip(1.12 * (tone * self.light)[..., None] * warm, 0.0, 1.0)
+        colour = np.where(self.known[..., None], colour, np.float32(0.25)) ** np.float32(0.8)
+        background = (0.955, 0.96, 0.968)
+        image = render_oblique(
+            self.filled, colour.astype(np.float32), self.pixel_um, background=background
+        )
+        return (255 * np.clip(image, 0, 1) + 0.5).astype(np.uint8)
+
+
+def _maybe(
+    image: FloatImage | None, reduce: Callable[[FloatImage], FloatImage]
+) -> FloatImage | None:
+    return None if image is None else reduce(image)
+
+
+def _span(values: FloatImage) -> tuple[float, float]:
+    """Range that all but two in a thousand at either end lie in; never empty."""
+    known = values[np.isfinite(values)]
+    if known.size == 0:
+        return 0.0, 1.0
+    low, high = (float(value) for value in np.percentile(known, (0.2, 99.8)))
+    return (low, high) if high - low > 1e-3 else (low - 0.5, low + 0.5)
+
+
+def _toned(image: FloatImage) -> FloatImage:
+    """Luminance from 0 to 1 for a screen: dark and light ends cut, square root."""
+    known = image[np.isfinite(image)]
+    top = float(np.percentile(known, 99.5)) if known.size else 1.0
+    toned: FloatImage = np.sqrt(np.clip(np.nan_to_num(image) / max(top, 1e-9), 0.0, 1.0))
+    return toned
+
+
+def _coloured(values: FloatImage, span: tuple[float, float], colours: str) -> Rgb:
+    """Colours (H, W, 3) of values over a span; what is missing is blank."""
+    from matplotlib import colormaps
+
+    table = (255 * colormaps[colours](np.linspace(0, 1, 256))[:, :3] + 0.5).astype(np.uint8)
+    known = np.isfinite(values)
+    index = np.clip((np.nan_to_num(values) - span[0]) * (255 / (span[1] - span[0])), 0, 255)
+    rgb: Rgb = np.take(table, index.astype(np.uint8), axis=0)
+    rgb[~known] = _BLANK
+    return rgb
+
+
+def _save_map(image: _Map, extent_um: Extent, path: Path) -> Path:
+    from matplotlib.figure import Figure
+
+    rows, columns = image.rgb.shape[:2]
+    width, height = columns / _DPI, rows / _DPI
+    size = (width + 0.75 + (1.15 if image.unit else 0.2), height + 0.9)
+    figure = Figure(figsize=size, dpi=_DPI, facecolor="white")
+    axes = figure.add_axes((0.7 / size[0], 0.52 / size[1], width / size[0], height / size[1]))
+    _draw(axes, image, extent_um, _FONT_SIZE)
+    axes.set_xlabel("x (µm)", color=_INK, fontsize=_FONT_SIZE)
+    axes.set_ylabel("y (µm)", color=_INK, fontsize=_FONT_SIZE, labelpad=1)
+    if image.unit:
+        slot = ((0.84 + width) / size[0], 0.52 / size[1], 0.16 / size[0], height / size[1])
+        _bar(figure, figure.add_axes(slot), image, _FONT_SIZE)
+    return _save_figure(figure, path)
+
+
+def _draw(axes: Axes, image: _Map, extent_um: Extent, font_size: float) -> None:
+    axes.imshow(image.rgb, extent=extent_um, interpolation="antialiased", aspect="equal")
+    axes.set_title(image.title, loc="left", fontsize=font_size * 1.15, color=_INK, pad=5)
+    axes.tick_params(colors=_INK, length=3, width=0.6, labelsize=font_size)
+    for spine in axes.spines.values():
+        spine.set(color="#9aa0a6", linewidth=0.6)
+
+
+def _bar(figure: Figure, slot: Axes, image: _Map, font_size: float) -> None:
+    from matplotlib.cm import ScalarMappable
+    from matplotlib.colors import Normalize
+
+    bar = figure.colorbar(ScalarMappable(Normalize(image.low, image.high), image.colours), cax=slot)
+    bar.set_label(image.unit, color=_INK, fontsize=font_size)
+    bar.ax.tick_params(colors=_INK, length=3, width=0.6, labelsize=font_size)
+    for spine in bar.ax.spines.values():
+        spine.set_visible(False)
+
+
+def _overview(maps: dict[str, _Map], oblique: Rgb, extent_um: Extent) -> Figure:
+    """The steps of a reconstruction side by side, after the paper's Fig. 6, above the oblique view."""
+    from matplotlib.figure import Figure
+
+    order = ("micrograph", "height_map", "quality_stereo", "slant", "quality_photometric")
+    chosen = [maps[name] for name in order if name in maps]
+    chosen += [image for name, image in maps.items() if name in ("fused", "stereo", "integrated")]
+    width, pitch, left, gap = 3.05, 4.15, 0.5, 0.62
+    height = width * chosen[0].rgb.shape[0] / chosen[0].rgb.shape[1]
+    wide = 3 * pitch - 0.55
+    tall = wide * oblique.shape[0] / oblique.shape[1]
+    rows = -(-len(chosen) // 3)
+    size = (left + 3 * pitch, rows * (height + gap) + tall + 0.55)
+    figure = Figure(figsize=size, dpi=_DPI, facecolor="white")
+    for index, image in enumerate(chosen):
+        x = left + (index % 3) * pitch
+        y = size[1] - (index // 3 + 1) * (height + gap) + 0.3
+        axes = figure.add_axes((x / size[0], y / size[1], width / size[0], height / size[1]))
+        _draw(axes, _halved(image), extent_um, _FONT_SIZE)
+        axes.set_xlabel("µm", loc="right", color=_INK, fontsize=_FONT_SIZE, labelpad=-9)
+        if image.unit:
+            slot = ((x + width + 0.08) / size[0], y / size[1], 0.1 / size[0], height / size[1])
+            _bar(figure, figure.add_axes(slot), image, _FONT_SIZE)
+    axes = figure.add_axes((left / size[0], 0.12 / size[1], wide / size[0], tall / size[1]))
+    axes.imshow(oblique, interpolation="antialiased", aspect="auto")
+    axes.set_axis_off()
+    title = f"Oblique view, {TILT_DEG:g}° tilt"
+    axes.set_title(title, loc="left", fontsize=_FONT_SIZE * 1.15, color=_INK, pad=5)
+    return figure
+
+
+def _halved(image: _Map) -> _Map:
+    rows, columns = image.rgb.shape[:2]
+    size = (max(1, columns // 2), max(1, rows // 2))
+    rgb = cv2.resize(image.rgb, size, interpolation=cv2.INTER_AREA).astype(np.uint8)
+    return replace(image, rgb=rgb)
+
+
+def _save_figure(figure: Figure, path: Path) -> Path:
+    making = path.with_name(f".{path.name}.making")
+    figure.savefig(making, format="png", pil_kwargs={"compress_level": 2})
+    making.replace(path)
+    return path
+
+
+def _save_image(rgb: Rgb, path: Path) -> Path:
+    good, encoded = cv2.imencode(
+        ".png", np.ascontiguousarray(rgb[..., ::-1]), [cv2.IMWRITE_PNG_COMPRESSION, 4]
+    )
+    if not good:
+        raise OSError(f"{path.name} could not be encoded")
+    making = path.with_name(f".{path.name}.making")
+    making.write_bytes(encoded.tobytes())
+    making.replace(path)
+    return path
