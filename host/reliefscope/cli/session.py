@@ -19,6 +19,9 @@ from reliefscope.jobs import Job
 if TYPE_CHECKING:
     from rich.console import Console
 
+PLAIN_WIDTH = 120
+"""Columns of tables that go to a file or pipe."""
+
 
 class Session:
     """One run of a subcommand; made by :func:`session`."""
@@ -36,7 +39,8 @@ class Session:
             return
         from rich.console import Console
 
-        show(Console(highlight=False))
+        width = None if sys.stdout.isatty() else PLAIN_WIDTH
+        show(Console(highlight=False, width=width))
 
     def say(self, text: str) -> None:
         """A remark for people, on standard error; left out with ``--json``."""

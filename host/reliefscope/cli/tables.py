@@ -111,7 +111,6 @@ def show_demo(console: Console, result: DemoResult) -> None:
         show_table(console, result.evaluation)
     show_stages(console, result.stages_s, result.total_s)
     _show_places(console, result.outcome)
-    console.print(f"\nLook at it: [bold]reliefscope info {escape(str(result.run))}[/]")
 
 
 def show_reconstruction(console: Console, outcome: Outcome) -> None:
@@ -122,10 +121,14 @@ def show_reconstruction(console: Console, outcome: Outcome) -> None:
 
 
 def _show_places(console: Console, outcome: Outcome) -> None:
-    console.print(f"\nRun      [bold]{escape(str(outcome.run))}[/]")
-    console.print(f"Results  [bold]{escape(str(outcome.folder))}[/]")
-    for picture in outcome.pictures:
-        console.print(f"         {escape(picture.name)}", style="dim")
+    console.print()
+    console.print(f"[cyan]run[/]      {escape(str(outcome.run))}", soft_wrap=True)
+    console.print(f"[cyan]results[/]  {escape(str(outcome.folder))}", soft_wrap=True)
+    if outcome.pictures:
+        first, *others = outcome.pictures
+        console.print(f"[cyan]look at[/]  [bold]{escape(str(first))}[/]", soft_wrap=True)
+        names = ", ".join(path.stem for path in others)
+        console.print(f"         [dim]beside it: {names}[/]", soft_wrap=True)
 
 
 def show_checks(console: Console, checks: Sequence[Check]) -> None:
