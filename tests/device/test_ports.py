@@ -167,7 +167,12 @@ def test_schemes_of_installed_packages_are_found(monkeypatch):
 def test_teensies_are_listed_first(monkeypatch):
     def port(device, vid, pid):
         return types.SimpleNamespace(
-            device=device, description="d", serial_number="7", vid=vid, pid=pid
+            device=device,
+            description="d",
+            serial_number="7",
+            vid=vid,
+            pid=pid,
+            location="1-2.4:1.0",
         )
 
     found = [

@@ -17,6 +17,7 @@ from reliefscope.device.errors import (
     RejectedError,
     SchemaMismatchError,
 )
+from reliefscope.device.health import LinkHealth, measure_link
 from reliefscope.device.link import Deadline, Link
 from reliefscope.device.ports import PortInfo, list_ports
 from reliefscope.device.sequence import SequenceTiming, sequence_duration_s
@@ -39,6 +40,7 @@ __all__ = [
     "FailedError",
     "FaultEvent",
     "Link",
+    "LinkHealth",
     "LinkLostError",
     "OutcomeUnknownError",
     "PortAccessError",
@@ -52,5 +54,6 @@ __all__ = [
     "SequenceTiming",
     "Step",
     "list_ports",
+    "measure_link",
     "sequence_duration_s",
 ]

@@ -259,9 +259,9 @@ class Flasher:
                     logger.warning("the bootloader stopped taking blocks; starting over")
             halfkay.restart()
         except (BoardGoneError, StuckError) as error:
-            raise _half_written(error.message, image) from error
+            raise _half_written(error.message, image, halfkay) from error
         except KeyboardInterrupt as error:
-            raise _half_written("Writing was interrupted.", image) from error
+            raise _half_written("Writing was interrupted.", image, halfkay) from error
         finally:
             halfkay.close()
         return halfkay.retries, attempt
@@ -384,9 +384,10 @@ def _compare(wanted: FirmwareIdentity | None, got: HelloReply) -> None:
         )
 
 
-def _half_written(message: str, image: FirmwareImage) -> HalfWrittenError:
+def _half_written(message: str, image: FirmwareImage, halfkay: HalfKay) -> HalfWrittenError:
+    lost = "has no whole firmware now" if halfkay.written else "may have lost its firmware"
     return HalfWrittenError(
-        f"{message} The board has no whole firmware now.",
+        f"{message} The board {lost}.",
         hint="Nothing is lost: its bootloader is a chip of its own. Plug the board in, press its button, then: "
         f"reliefscope flash {image.path}",
     )

@@ -56,7 +56,9 @@ class StuckError(FlashError):
 
 
 class HalfKay:
-    """A bootloader on USB; ``retries`` counts the reports that had to be repeated.
+    """A bootloader on USB.
+
+    ``retries`` counts the reports that had to be repeated, ``written`` the blocks since the chip was erased last.
 
     ``sleep`` and ``monotonic`` are those of :mod:`time`, or of a simulated board.
     """
@@ -65,10 +67,10 @@ class HalfKay:
         self, device: Any, sleep: Callable[[float], None], monotonic: Callable[[], float]
     ) -> None:
         self.retries = 0
+        self.written = 0
         self._device = device
         self._sleep = sleep
         self._monotonic = monotonic
-        self._writes = 0
 
     def open(self) -> None:
         """Take the device from the system's HID driver.
@@ -112,7 +114,9 @@ class HalfKay:
         BoardGoneError, UsbAccessError
         """
         report = address.to_bytes(3, "little").ljust(_HEAD_BYTES, b"\0") + block
-        patience_s = ERASE_PATIENCE_S if self._writes < PATIENT_WRITES else WRITE_PATIENCE_S
+        if address == 0:  # erases, also when writing starts over
+            self.written = 0
+        patience_s = ERASE_PATIENCE_S if self.written < PATIENT_WRITES else WRITE_PATIENCE_S
         deadline = self._monotonic() + patience_s
         while True:
             try:
@@ -130,7 +134,7 @@ class HalfKay:
                 logger.debug("block at 0x%05X again: %s", address, error)
             self.retries += 1
             self._sleep(RETRY_S)
-        self._writes += 1
+        self.written += 1
 
     def restart(self) -> None:
         """Leave for the program.  An error is normal: the chip may be gone before it answers."""

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Iterable
-from dataclasses import dataclass
+from dataclasses import dataclass, field
 from pathlib import Path
 
 import bincopy
@@ -36,7 +36,7 @@ class FirmwareImage:
     """
 
     path: Path
-    data: bytes
+    data: bytes = field(repr=False)
     identity: FirmwareIdentity | None
 
     @classmethod
