@@ -96,11 +96,11 @@ def find_highlight(image: Image, sphere: Sphere) -> tuple[float, float]:
         )
     _, found = cv2.connectedComponents((blurred >= _CORE * peak).astype(np.uint8))
     labels = np.asarray(found)
-    core = labels == labels[peak_row, peak_column]
-    weight = blurred[core].astype(np.float64)
+    core_rows, core_columns = np.nonzero(labels == labels[peak_row, peak_column])
+    weight = blurred[core_rows, core_columns].astype(np.float64)
     return (
-        float(np.average(columns[core], weights=weight)),
-        float(np.average(rows[core], weights=weight)),
+        float(np.average(core_columns, weights=weight)),
+        float(np.average(core_rows, weights=weight)),
     )
 
 

@@ -14,7 +14,7 @@ import numpy as np
 from numba import njit, prange
 
 from reliefscope import axes
-from reliefscope.units import FloatImage
+from reliefscope.units import BoolImage, FloatImage
 
 TILT_DEG = 30.0
 """Tilt of the paper's oblique views."""
@@ -54,6 +54,7 @@ def render_oblique(
     *,
     tilt_deg: float = TILT_DEG,
     relief: float = 1.0,
+    known: BoolImage | None = None,
     background: tuple[float, float, float] = (1.0, 1.0, 1.0),
 ) -> FloatImage:
     """Oblique view (H', W, 3), 0 to 1.
@@ -70,6 +71,8 @@ def render_oblique(
         Tilt of the camera from looking straight down.
     relief:
         Factor on the heights.
+    known:
+        (H, W) pixels to draw; all of them if left out.
     background:
         Colour around the sample.
     """
@@ -82,10 +85,12 @@ def render_oblique(
     margin = 0.02 * columns
     tall = rows * math.cos(tilt) + float(rise.max()) * math.sin(tilt) + 2 * margin
     size = math.ceil(tall) * _SUPERSAMPLING
+    drawn = np.ones(height_um.shape, np.bool_) if known is None else known
     canvas = np.empty((columns, size, 3), np.float32)
     canvas[:] = np.asarray(background, np.float32)
     _walk(
         np.ascontiguousarray(up),
+        np.ascontiguousarray(drawn.T),
         np.ascontiguousarray(colour.transpose(1, 0, 2)),
         math.cos(tilt) * _SUPERSAMPLING,
         float(_SUPERSAMPLING),
@@ -101,6 +106,7 @@ def render_oblique(
 @njit(cache=True, parallel=True)
 def _walk(
     up: FloatImage,
+    drawn: BoolImage,
     colour: FloatImage,
     row_step: float,
     scale: float,
@@ -108,29 +114,37 @@ def _walk(
     side: FloatImage,
     canvas: FloatImage,
 ) -> None:
-    """Draw every column from the front (last row of the map) to the back; ``canvas`` (W, V, 3), v up."""
+    """Draw every column from the front (last row of the map) to the back.
+
+    ``up`` and ``drawn`` (W, H), ``colour`` (W, H, 3), ``canvas`` (W, V, 3) with v upward.
+    """
     columns, rows = up.shape
     size = canvas.shape[1]
     for column in prange(columns):
         horizon = start
-        previous = start
         for step in range(rows):
             row = rows - 1 - step
+            if not drawn[column, row]:
+                continue
             v = start + step * row_step + up[column, row] * scale
-            if v > horizon:
-                first = math.ceil(horizon)
-                last = min(math.ceil(v), size)
-                for place in range(first, last):
+            if v <= horizon:
+                continue
+            joined = step > 0 and drawn[column, row + 1]
+            # what lies below this point: the surface in front, the cut face, or nothing
+            below = v - row_step
+            if joined:
+                below = start + (step - 1) * row_step + up[column, row + 1] * scale
+            elif step == 0:
+                below = start
+            first = math.ceil(max(horizon, below))
+            for place in range(first, min(math.ceil(v), size)):
+                part = (place - below) / (v - below) if v > below else 1.0
+                for channel in range(3):
+                    value = colour[column, row, channel]
                     if step == 0:
-                        depth = (place - start) / (v - start)
-                        for channel in range(3):
-                            canvas[column, place, channel] = side[channel] * (0.55 + 0.45 * depth)
-                        continue
-                    part = (place - previous) / (v - previous) if v > previous else 1.0
-                    part = min(max(part, 0.0), 1.0)
-                    for channel in range(3):
+                        value = side[channel] * (0.55 + 0.45 * part)
+                    elif joined:
                         near = colour[column, row + 1, channel]
-                        far = colour[column, row, channel]
-                        canvas[column, place, channel] = near + part * (far - near)
-                horizon = v
-            previous = v
+                        value = near + part * (value - near)
+                    canvas[column, place, channel] = value
+            horizon = v

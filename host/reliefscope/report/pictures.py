@@ -31,6 +31,8 @@ Extent = tuple[float, float, float, float]
 _WIDTH_PX = 1100
 """Width to which maps are reduced."""
 _DPI = 130
+_MOST_RELIEF = 0.5
+"""Height range over image size above which the oblique view flattens heights to stay in the picture."""
 _BLANK = np.array([232, 234, 237], np.uint8)
 _INK = "#22262b"
 _FONT_SIZE = 9.0
@@ -85,7 +87,7 @@ def write_pictures(
             oblique = view.oblique()
             written.insert(1, _save_image(oblique, folder / "oblique.png"))
             stage.advance()
-            overview = _overview(maps, oblique, view.extent_um)
+            overview = _overview(maps, oblique, view.relief, view.extent_um)
             written.insert(0, _save_figure(overview, folder / "overview.png"))
     except OSError as error:
         raise DatasetError(
@@ -110,6 +112,8 @@ class _Reduced:
         self.height = self._reduce(reconstruction.height_um)
         self.known: BoolImage = np.asarray(np.isfinite(self.height))
         self.span = _span(self.height)
+        deepest = _MOST_RELIEF * min(self._size) * self.pixel_um
+        self.relief = min(1.0, deepest / (self.span[1] - self.span[0]))
         base = np.float32(self.span[0])
         self.filled = np.where(self.known, self.height, base)
         self.light = shade(self.filled, self.pixel_um)
@@ -205,8 +209,15 @@ class _Reduced:
         colour = np.clip(1.12 * (tone * self.light)[..., None] * warm, 0.0, 1.0)
         colour = np.where(self.known[..., None], colour, np.float32(0.25)) ** np.float32(0.8)
         background = (0.955, 0.96, 0.968)
+        low, high = self.span
+        spare = 0.03 * (high - low)  # single wild pixels are not drawn as towers
         image = render_oblique(
-            self.filled, colour.astype(np.float32), self.pixel_um, background=background
+            np.clip(self.filled, low - spare, high + spare),
+            colour.astype(np.float32),
+            self.pixel_um,
+            relief=self.relief,
+            known=self.known,
+            background=background,
         )
         return (255 * np.clip(image, 0, 1) + 0.5).astype(np.uint8)
 
@@ -282,7 +293,7 @@ def _bar(figure: Figure, slot: Axes, image: _Map, font_size: float) -> None:
         spine.set_visible(False)
 
 
-def _overview(maps: dict[str, _Map], oblique: Rgb, extent_um: Extent) -> Figure:
+def _overview(maps: dict[str, _Map], oblique: Rgb, relief: float, extent_um: Extent) -> Figure:
     """The steps of a reconstruction side by side, after the paper's Fig. 6, above the oblique view."""
     from matplotlib.figure import Figure
 
@@ -293,6 +304,8 @@ def _overview(maps: dict[str, _Map], oblique: Rgb, extent_um: Extent) -> Figure:
     height = width * chosen[0].rgb.shape[0] / chosen[0].rgb.shape[1]
     wide = 3 * pitch - 0.55
     tall = wide * oblique.shape[0] / oblique.shape[1]
+    if tall > wide:
+        tall, wide = wide, wide * wide / tall
     rows = -(-len(chosen) // 3)
     size = (left + 3 * pitch, rows * (height + gap) + tall + 0.55)
     figure = Figure(figsize=size, dpi=_DPI, facecolor="white")
@@ -301,14 +314,24 @@ def _overview(maps: dict[str, _Map], oblique: Rgb, extent_um: Extent) -> Figure:
         y = size[1] - (index // 3 + 1) * (height + gap) + 0.3
         axes = figure.add_axes((x / size[0], y / size[1], width / size[0], height / size[1]))
         _draw(axes, _halved(image), extent_um, _FONT_SIZE)
-        axes.set_xlabel("µm", loc="right", color=_INK, fontsize=_FONT_SIZE, labelpad=-9)
+        axes.text(
+            1.0,
+            -0.14,
+            "µm",
+            transform=axes.transAxes,
+            ha="right",
+            va="center",
+            color=_INK,
+            fontsize=_FONT_SIZE,
+        )
         if image.unit:
             slot = ((x + width + 0.08) / size[0], y / size[1], 0.1 / size[0], height / size[1])
             _bar(figure, figure.add_axes(slot), image, _FONT_SIZE)
     axes = figure.add_axes((left / size[0], 0.12 / size[1], wide / size[0], tall / size[1]))
     axes.imshow(oblique, interpolation="antialiased", aspect="auto")
     axes.set_axis_off()
-    title = f"Oblique view, {TILT_DEG:g}° tilt"
+    flattened = "" if relief == 1.0 else f", heights × {relief:.2f}"
+    title = f"Oblique view, {TILT_DEG:g}° tilt{flattened}"
     axes.set_title(title, loc="left", fontsize=_FONT_SIZE * 1.15, color=_INK, pad=5)
     return figure
 
