@@ -3,6 +3,7 @@
 import shutil
 import subprocess
 import sys
+import sysconfig
 from pathlib import Path
 
 import pytest
@@ -10,13 +11,16 @@ from tests.support import REPOSITORY
 
 
 def run_linter(folder: Path) -> subprocess.CompletedProcess[str]:
-    """The import linter over the packages in ``folder``, which need not be the installed ones."""
+    """The import linter over the packages in ``folder``, not over the installed ones.
+
+    ``-S`` keeps the import hook of an editable installation out, which would lead back to this checkout.
+    """
     code = (
-        "import sys; sys.path[:0] = ['host', 'sim'];"
+        f"import sys; sys.path[:0] = ['host', 'sim', {sysconfig.get_path('purelib')!r}];"
         "from importlinter.cli import lint_imports_command; lint_imports_command()"
     )
     return subprocess.run(
-        [sys.executable, "-c", code, "--no-cache"],
+        [sys.executable, "-S", "-c", code, "--no-cache"],
         cwd=folder,
         capture_output=True,
         text=True,
