@@ -55,7 +55,7 @@ class Renderer:
         scene: Scene,
         as_built: AsBuilt,
         shape: tuple[int, int] | None = None,
-        cache_mb: int = 480,
+        cache_mb: int = 560,
     ) -> None:
         self.profile = profile
         self.shape = shape or profile.shape
@@ -73,7 +73,7 @@ class Renderer:
         self._coarse = self._surface.coarser(2)
         self._lighting = Lighting(self._surface, profile.dome, as_built)
         gloss_cell_mm = 0.0 if self._surface.specular is None else _GLOSS_CELL_MM
-        sizes = [int(cache_mb * share * _MB) for share in (0.25, 0.1, 0.4, 0.1, 0.15)]
+        sizes = [int(cache_mb * share * _MB) for share in (0.2, 0.08, 0.35, 0.22, 0.15)]
         self._viewer = Viewer(self._surface, profile.optics, as_built, gloss_cell_mm, sizes[0])
         self._wide = Viewer(self._coarse, profile.optics, as_built, gloss_cell_mm, sizes[1])
         self._lit: ByteCache[LitSurface] = ByteCache(sizes[2], lambda lit: lit.nbytes)
