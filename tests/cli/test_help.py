@@ -16,8 +16,10 @@ COMMANDS = [
     "import",
     "doctor",
     "tui",
+    "flash",
+    "link-test",
 ]
-HEAVY = ["numpy", "numba", "scipy", "textual", "matplotlib", "cv2", "zarr", "serial"]
+HEAVY = ["numpy", "numba", "scipy", "textual", "matplotlib", "cv2", "zarr", "serial", "usb", "bincopy"]
 PROGRAM = """
 import sys, json
 from reliefscope.cli import main

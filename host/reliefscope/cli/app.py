@@ -14,7 +14,17 @@ from typing import Annotated
 import typer
 
 from reliefscope import __version__
-from reliefscope.cli.commands import acquire, dataset, demo, diagnose, evaluate, reconstruct, tui
+from reliefscope.cli.commands import (
+    acquire,
+    dataset,
+    demo,
+    diagnose,
+    evaluate,
+    flash,
+    link_test,
+    reconstruct,
+    tui,
+)
 from reliefscope.cli.errors import print_error, print_traceback
 from reliefscope.errors import Cancelled, ExitCode, ReliefscopeError
 
@@ -35,6 +45,8 @@ app.command("reconstruct", rich_help_panel="Process")(reconstruct.reconstruct)
 app.command("evaluate", rich_help_panel="Process")(evaluate.evaluate)
 app.command("info", rich_help_panel="Look after runs")(dataset.info)
 app.command("verify", rich_help_panel="Look after runs")(dataset.verify)
+app.command("flash", rich_help_panel="Look after the instrument")(flash.flash)
+app.command("link-test", rich_help_panel="Look after the instrument")(link_test.link_test)
 
 
 @app.callback(invoke_without_command=True)
