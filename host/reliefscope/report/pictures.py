@@ -314,13 +314,12 @@ def _overview(maps: dict[str, _Map], oblique: Rgb, relief: float, extent_um: Ext
         y = size[1] - (index // 3 + 1) * (height + gap) + 0.3
         axes = figure.add_axes((x / size[0], y / size[1], width / size[0], height / size[1]))
         _draw(axes, _halved(image), extent_um, _FONT_SIZE)
-        axes.text(
-            1.0,
-            -0.14,
+        axes.annotate(
             "µm",
-            transform=axes.transAxes,
-            ha="right",
-            va="center",
+            xy=(1.0, 0.0),
+            xycoords="axes fraction",
+            xytext=(4.0, -11.0),
+            textcoords="offset points",
             color=_INK,
             fontsize=_FONT_SIZE,
         )
