@@ -10,8 +10,10 @@ from textual.pilot import Pilot
 from textual.widgets import Input
 
 from reliefscope.errors import DeviceError
+from reliefscope.microscope import Microscope, open_run
 from reliefscope.tui.app import ReliefscopeApp
 from reliefscope.tui.dome import DomeMap
+from reliefscope.tui.engine import Picture
 from reliefscope.tui.glass import GlassView
 from reliefscope.tui.screens import AcquireScreen, ConnectScreen, HelpScreen
 
@@ -226,3 +228,48 @@ async def test_help_shows_every_key_and_both_sizes_fit(size: tuple[int, int]) ->
             assert not desk.app.dome.display
 
     await drive(steps, size)
+
+
+async def test_whole_screen_over_the_simulated_instrument(tmp_path: Path) -> None:
+    """Connect, light an LED, open the centre disc, see the picture brighten, acquire a run."""
+    pictures = []
+
+    def opener(url: str) -> Microscope:
+        microscope = Microscope.open(url)
+        plan = microscope.default_plan()
+        small = plan.model_copy(
+            update={
+                "views": plan.views[:2],
+                "lights": plan.lights[:2],
+                "dark_accumulate": 1,
+                "leakage_accumulate": 1,
+            }
+        )
+        microscope.default_plan = lambda: small  # type: ignore[method-assign]
+        return microscope
+
+    app = ReliefscopeApp(opener, "sim://screen?scene=flat&size=96x72", list)
+    async with app.run_test(size=(132, 42)) as pilot:
+        take = app.engine.take_picture
+
+        def watched() -> Picture | None:
+            picture = take()
+            if picture is not None:
+                pictures.append(picture)
+            return picture
+
+        app.engine.take_picture = watched  # type: ignore[method-assign]
+        await until(pilot, lambda: app.preview.shown >= 2, 30)
+        dark = pictures[-1].mean
+        await pilot.press("0")
+        await until(pilot, lambda: app.glass.bitmap.sum() > 0)
+        await pilot.press("up", "enter")
+        await until(pilot, lambda: len(app.dome.lit) == 1)
+        await until(pilot, lambda: pictures[-1].mean > 3 * dark)
+        await pilot.press("a")
+        app.screen.query_one("#out", Input).value = str(tmp_path / "run")
+        await pilot.click("#start")
+        await until(pilot, lambda: not app.dome.lit)
+        await until(pilot, lambda: (tmp_path / "run").is_dir(), 30)
+        await until(pilot, lambda: not app.engine.busy)
+    assert open_run(tmp_path / "run").verify().ok
