@@ -159,6 +159,21 @@ def test_shut_glass_leaks_over_the_whole_pupil():
     assert settled == pytest.approx(shut + disc_alone * 14 / 15, rel=1e-3)
 
 
+@pytest.mark.parametrize(
+    ("spacing_mm", "fewest", "most"), [(10.0, 8, 8), (0.3, 12, 40), (1e-3, 30, 80)]
+)
+def test_points_of_an_aperture_stay_few_and_keep_area_and_centroid(spacing_mm, fewest, most):
+    built = AsBuilt.draw(INSTRUMENT, 4)
+    mask = ob.disc(INSTRUMENT, 1.5) > 0
+    points = Pupil(INSTRUMENT, built).points(mask, spacing_mm)
+    pixels = Pupil(INSTRUMENT, built).points(mask, 10.0)
+    assert fewest <= len(points) <= most
+    assert points.area_mm2.sum() == pytest.approx(pixels.area_mm2.sum())
+    assert points.centroid_mm == pytest.approx(pixels.centroid_mm)
+    # Dividing a pixel adds its own extent to the spread of the centres.
+    assert (points.spread_mm >= pixels.spread_mm - 1e-9).all()
+
+
 def test_what_lies_outside_the_round_pupil_is_cut_off():
     instrument = ob.profile()
     scene = ob.sample(instrument, 0.0, 0.9)

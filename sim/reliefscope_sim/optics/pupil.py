@@ -19,6 +19,8 @@ from reliefscope_sim.as_built import AsBuilt
 _SUBDIVISIONS = 8
 _EXACT_POINTS = 16
 """Up to so many points an aperture keeps each pixel as its own point."""
+_MOST_POINTS = 48
+"""More are merged even where their images part visibly, far outside the depth of field."""
 
 
 @dataclass(frozen=True)
@@ -94,8 +96,10 @@ class Pupil:
     def points(self, mask: BoolImage, spacing_mm: float) -> PupilPoints:
         """Points that stand for the pixels of ``mask`` (64, 128), no further apart than ``spacing_mm``.
 
-        Pixels larger than that are divided; many pixels smaller than that are merged.
+        Pixels larger than that are divided; many pixels smaller than that are merged.  There are never many
+        more than 48 points, which bounds time and memory whatever the height of the sample.
         """
+        spacing_mm = max(spacing_mm, math.sqrt(float(self.area_mm2[mask].sum()) / _MOST_POINTS))
         split = 1
         while self._pitch_mm / split > spacing_mm and split < _SUBDIVISIONS:
             split *= 2
