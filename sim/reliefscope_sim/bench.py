@@ -9,8 +9,7 @@ from __future__ import annotations
 
 import threading
 import time
-import zlib
-from collections.abc import Callable
+from collections.abc import Callable, Iterable
 from typing import ClassVar
 
 from reliefscope.errors import CameraError
@@ -19,14 +18,11 @@ from reliefscope.protocol.messages import ResetCause
 from reliefscope.units import US_PER_S
 from reliefscope_sim.clock import Clock
 from reliefscope_sim.darkroom import Darkroom
-from reliefscope_sim.display import DisplayController
-from reliefscope_sim.factory import factory_settings
-from reliefscope_sim.firmware import NEVER_US, Firmware
-from reliefscope_sim.glass import Glass
-from reliefscope_sim.lights import LedLines
+from reliefscope_sim.electronics import Electronics
+from reliefscope_sim.firmware import NEVER_US
 from reliefscope_sim.link import BYTE_US, WRITE_AHEAD, Cable
 from reliefscope_sim.shutter import Exposure, Shutter
-from reliefscope_sim.trace import InputLine, OutputPin, TraceKind, TraceRecord
+from reliefscope_sim.trace import InputLine
 from reliefscope_sim.url import SimUrl
 
 POLL_US = 100
@@ -51,31 +47,32 @@ class Bench:
     _registry_lock: ClassVar[threading.RLock] = threading.RLock()
     _switched_on: ClassVar[int] = 0
 
-    def __init__(self, url: SimUrl) -> None:
+    def __init__(self, url: SimUrl, nonces: Iterable[int] = ()) -> None:
         self.url = url
         self.profile = url.load_profile()
         self.darkroom = Darkroom(url, self.profile)
-        self.serial_number = f"SIM-{url.name}"[:16]
         self.faults = url.faults
-        self.display = DisplayController(url.mounting, url.seed)
-        self.glass = Glass(self.profile.glass)
-        self.leds = LedLines(self.profile.dome.count)
-        self.shutter = Shutter(self.glass, self.leds, self.profile.camera.frames_per_s, self.faults)
         self.cable = Cable(self.faults, url.seed)
-        self.time_us = 0
         Bench._switched_on += 1
-        self._boots = Bench._switched_on << 16
+        self._board = Electronics(
+            url,
+            self.profile,
+            self.faults,
+            on_pulse=self._pulse,
+            on_leave=self.cable.cut,
+            nonces=nonces,
+            first_boot=Bench._switched_on << 16,
+        )
+        self.display = self._board.display
+        self.glass = self._board.glass
+        self.leds = self._board.leds
+        self.serial_number = self._board.serial_number
+        self.shutter = Shutter(self.glass, self.leds, self.profile.camera.frames_per_s, self.faults)
+        self.time_us = 0
         self._users = 0
         self._off = False
-        self._stalled = False
-        self._in_bootloader = False
-        self._brown_out_us = NEVER_US
-        self._trigger_level = 0
-        self._inputs: dict[InputLine, bool] = {}
         self._changed = threading.Condition(threading.RLock())
         self._camera_open = False
-        settings = factory_settings(self.profile.glass.variant, url.mounting, self.serial_number)
-        self._firmware = Firmware(settings, self._next_nonce())
         self._clock = Clock(url.time)
 
     # --- who uses it ---
@@ -112,7 +109,7 @@ class Bench:
             if self._users == 0:
                 del self._registry[self.url.name]
                 self._off = True
-                self._firmware.close()
+                self._board.close()
                 self._changed.notify_all()
 
     # --- time ---
@@ -164,96 +161,44 @@ class Bench:
             self._step(due_us)
 
     def _next_event_us(self) -> int:
-        times = [self.shutter.next_event_us, self.cable.next_event_us, self._brown_out_us]
-        if not self._halted:
-            times.append(self._firmware.next_wakeup_us())
-        return min(times)
+        return min(self.shutter.next_event_us, self.cable.next_event_us, self._board.next_event_us)
 
     def _step(self, limit_us: int) -> None:
         """Run to the next event, at most to ``limit_us``, at least by 1 us."""
         time_us = min(limit_us, max(self._next_event_us(), self.time_us + 1))
-        if not self._halted:
-            self._firmware.run_until(time_us)
+        self._board.run_until(time_us)
         self.time_us = time_us
         self._clock.advance_to(time_us)
-        self._observe_lines()
-        if time_us >= self._brown_out_us:
-            self._brown_out_us = NEVER_US
-            self._firmware.reset(ResetCause.BROWN_OUT, self._next_nonce())
-            self._observe_lines()
         self.shutter.run_until(time_us)
         self._drive_inputs()
-        if not self._halted:
-            self.cable.exchange(time_us, self._firmware)
+        self._exchange()
         needed_us = self.shutter.needs_from_us
         history_us = time_us if needed_us is None else needed_us
         self.glass.forget_before(history_us)
         self.leds.forget_before(history_us)
         self._changed.notify_all()
 
-    @property
-    def _halted(self) -> bool:
-        return self._stalled or self._in_bootloader
-
     # --- wires ---
-
-    def _observe_lines(self) -> None:
-        for record in self._firmware.trace():
-            match record.kind:
-                case TraceKind.SPI:
-                    self.display.feed(record.argument, record.payload)
-                    self.glass.drive(record.time_us, self.display.driven())
-                case TraceKind.LED:
-                    self.leds.set_level(record.time_us, record.argument, record.level)
-                case TraceKind.PIN:
-                    self._pin(record)
-                case TraceKind.BOOTLOADER:
-                    self._in_bootloader = True
-                    self.cable.broken = True
-                case TraceKind.OVERFLOW:
-                    raise RuntimeError("the firmware's trace was not read in time")
-                case TraceKind.NONVOLATILE:
-                    pass
-
-    def _pin(self, record: TraceRecord) -> None:
-        match record.argument:
-            case OutputPin.LCD_RESET:
-                self.display.set_reset(record.level)
-                self.glass.drive(record.time_us, self.display.driven())
-            case OutputPin.LCD_SELECT:
-                self.display.set_select(record.level)
-            case OutputPin.CAMERA_TRIGGER:
-                if record.level and not self._trigger_level:
-                    self._pulse(record.time_us)
-                self._trigger_level = record.level
 
     def _pulse(self, time_us: int) -> None:
         number = self.shutter.pulses
         # What happened before the pulse belongs before it: a frame that was read out frees the sensor.
         self.shutter.run_until(time_us)
         self.shutter.pulse(time_us)
-        if number in self.faults.reset_at:
-            self._brown_out_us = time_us + self.shutter.exposure_us // 2
-        if number in self.faults.stall_at:
-            self._stalled = True
-        if number in self.faults.link_cut:
-            self.cable.broken = True
+        self._board.fail_at(number, time_us, time_us + self.shutter.exposure_us // 2)
+        self.cable.strike(number)
 
     def _drive_inputs(self) -> None:
-        levels = {
-            InputLine.CAMERA_STROBE: self.shutter.strobe,
-            InputLine.CAMERA_READY: self.shutter.ready(self.time_us),
-        }
-        for line, level in levels.items():
-            if self._inputs.get(line) is not level:
-                self._inputs[line] = level
-                self._firmware.set_input(line, level)
+        self._board.drive_inputs(
+            {
+                InputLine.CAMERA_STROBE: self.shutter.strobe,
+                InputLine.CAMERA_READY: self.shutter.ready(self.time_us),
+            }
+        )
 
-    def _next_nonce(self) -> int:
-        """Differs from boot to boot; never 0."""
-        self._boots += 1
-        nonce = zlib.crc32(f"{self.url.name} {self.url.seed} {self._boots}".encode())
-        return nonce or 1
+    def _exchange(self) -> None:
+        if not self._board.halted:
+            self.cable.exchange(self.time_us, self._board.firmware)
 
     # --- the device's face ---
 
@@ -263,9 +208,8 @@ class Bench:
             if self.cable.host_open:
                 return False
             self._catch_up()
-            if self._in_bootloader:
-                self._in_bootloader = False
-                self._firmware.reset(ResetCause.BOOTLOADER, self._next_nonce())
+            if self._board.in_bootloader:
+                self._board.restart(ResetCause.BOOTLOADER)
             self.cable.plug_in()
             return True
 
@@ -281,8 +225,8 @@ class Bench:
             self._catch_up()
             self.cable.send(self.time_us, data)
             self._spend(len(data) * BYTE_US)
-            if self._clock.real and not (self._halted or self._off):
-                self.cable.exchange(self.time_us, self._firmware)
+            if self._clock.real and not self._off:
+                self._exchange()
             self._changed.notify_all()
         return self.wait(lambda: self.cable.unsent <= WRITE_AHEAD or self.cable.broken, timeout_us)
 
@@ -338,15 +282,15 @@ class Bench:
             self.shutter.disarm()
             self._camera_open = False
 
-    def configure_camera(self, exposure_us: int, *, triggered: bool) -> None:
-        """Exposure time and mode."""
+    def configure_camera(self, exposure_us: int, *, triggered: bool, gain_db: float) -> None:
+        """Exposure time, gain and mode."""
         with self._changed:
             self._check_camera()
             if self.shutter.armed:
                 raise CameraBusyError(
                     "Settings cannot change while the camera is armed.", hint="Disarm it first."
                 )
-            self.shutter.configure(exposure_us, triggered=triggered)
+            self.shutter.configure(exposure_us, triggered=triggered, gain_db=gain_db)
 
     def arm_camera(self) -> None:
         """Take pulses, or start free-running, from now on."""

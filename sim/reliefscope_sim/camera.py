@@ -7,12 +7,14 @@ from reliefscope.units import US_PER_S
 from reliefscope_sim.bench import Bench
 
 EXPOSURE_RANGE_US = (20, 10_000_000)
+GAIN_RANGE_DB = (0.0, 32.0)
+GAIN_STEP_DB = 0.1
 
 
 class SimCamera:
     """Camera of the bench of ``url``; see :class:`reliefscope.models.camera.Camera`.
 
-    The gain is fixed at 0 dB.  Frames are rendered when they are fetched.
+    Frames are rendered when they are fetched.
     """
 
     def __init__(self, url: str) -> None:
@@ -46,11 +48,15 @@ class SimCamera:
         return self._open_bench().shutter.dropped
 
     def configure(self, settings: CameraSettings) -> CameraSettings:
-        """Set exposure and trigger; the exposure is limited to :data:`EXPOSURE_RANGE_US`."""
+        """Set exposure, gain and trigger, within :data:`EXPOSURE_RANGE_US` and :data:`GAIN_RANGE_DB`."""
         low, high = EXPOSURE_RANGE_US
         exposure_us = min(max(settings.exposure_us, low), high)
-        self._open_bench().configure_camera(exposure_us, triggered=settings.trigger)
-        return CameraSettings(exposure_us, gain_db=0.0, trigger=settings.trigger)
+        lowest_db, highest_db = GAIN_RANGE_DB
+        steps = round(min(max(settings.gain_db, lowest_db), highest_db) / GAIN_STEP_DB)
+        gain_db = round(steps * GAIN_STEP_DB, 1)
+        bench = self._open_bench()
+        bench.configure_camera(exposure_us, triggered=settings.trigger, gain_db=gain_db)
+        return CameraSettings(exposure_us, gain_db=gain_db, trigger=settings.trigger)
 
     def arm(self) -> None:
         """Get ready for pulses, or start free-running."""

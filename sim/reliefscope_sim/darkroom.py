@@ -40,11 +40,27 @@ class Darkroom:
     def develop(self, exposure: Exposure) -> RawImage:
         """The picture (H, W) that the sensor took: the same one for the same exposure, bit for bit."""
         key = (self._url.seed, exposure.glass_key, exposure.light_key, exposure.repeat)
+        exposure_s = exposure.exposure_us / US_PER_S
         with self._lock:
-            raw: RawImage = self._ready_renderer().expose(
-                exposure.transmission, exposure.led_energy, exposure.exposure_us / US_PER_S, key
-            )
-        return raw
+            renderer = self._ready_renderer()
+            if exposure.gain_db == 0.0:
+                raw = renderer.expose(exposure.transmission, exposure.led_energy, exposure_s, key)
+            else:
+                raw = self._amplified(renderer, exposure, exposure_s, key)
+        return raw[: _rows_kept(exposure.kept, raw.shape[0])]
+
+    def _amplified(
+        self, renderer: Renderer, exposure: Exposure, exposure_s: float, key: tuple[int, ...]
+    ) -> RawImage:
+        """Gain g: the converter's full scale stands at 1/g of the full well; electrons and their noise are the same."""
+        from reliefscope_sim.sensor import Sensor
+
+        gain = 10 ** (exposure.gain_db / 20)
+        camera = self._profile.camera
+        electrons = camera.full_well_electrons / gain
+        sensor = Sensor(camera.model_copy(update={"full_well_electrons": electrons}))
+        signal = renderer.signal(exposure.transmission, gain * exposure.led_energy)
+        return sensor.expose(signal, exposure_s, key)
 
     def _ready_renderer(self) -> Renderer:
         if self._renderer is None:
@@ -62,3 +78,8 @@ class Darkroom:
             as_built = self._url.load_as_built(self._profile)
             self._renderer = Renderer(self._profile, scene, as_built, self._profile.shape)
         return self._renderer
+
+
+def _rows_kept(kept: float, rows: int) -> int:
+    """Rows of a frame that arrived: an even number, so that the mosaic stays whole, at least two."""
+    return rows if kept >= 1.0 else max(2, int(kept * rows) // 2 * 2)

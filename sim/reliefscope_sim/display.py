@@ -21,6 +21,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from reliefscope.units import BoolImage
+from reliefscope_sim.liquid_crystal import NO_DRIVE, ROOM_C, Drive, multiplexed
 
 RAM_COLUMNS = 132
 RAM_PAGES = 9
@@ -47,9 +48,15 @@ class DisplayController:
     def __init__(self, mounting: Mounting = Mounting.BOTTOM_VIEW, seed: int = 0) -> None:
         self.mounting = mounting
         self.faults: list[str] = []
-        self.ram: NDArray[np.uint8] = np.random.default_rng(seed).integers(
-            0, 256, (RAM_PAGES, RAM_COLUMNS), dtype=np.uint8
-        )
+        self.dead_columns: frozenset[int] = frozenset()
+        """Columns of the glass, from the left, whose lines are broken: never driven."""
+        self._noise = np.random.default_rng(seed)
+        self.ram: NDArray[np.uint8]
+        self.lose_power()
+
+    def lose_power(self) -> None:
+        """The supply was gone: noise in the RAM, registers cleared, in reset until the pin is raised."""
+        self.ram = self._noise.integers(0, 256, (RAM_PAGES, RAM_COLUMNS), dtype=np.uint8)
         self.selected = False
         self.in_reset = True
         self._reset_registers()
@@ -96,8 +103,25 @@ class DisplayController:
 
     def driven(self) -> BoolImage:
         """Pixels (64, 128) of the mounted glass that get the on voltage, row 0 on top."""
-        if self.in_reset or not self.on or self.power != POWER_ALL_ON:
+        if not self.showing:
             return np.zeros((GLASS_ROWS, GLASS_COLUMNS), dtype=bool)
+        shown = self._shown()
+        shown[:, list(self.dead_columns)] = False
+        return shown
+
+    @property
+    def showing(self) -> bool:
+        """Whether voltages are on the glass."""
+        return not self.in_reset and self.on and self.power == POWER_ALL_ON
+
+    def drive(self, temperature_c: float = ROOM_C) -> Drive:
+        """Effective voltages on the glass, of pixels that are not driven and of those that are."""
+        if not self.showing:
+            return NO_DRIVE
+        bias = 7 if self.bias_1_7 else 9
+        return multiplexed(self.resistor_ratio, self.volume, bias, temperature_c)
+
+    def _shown(self) -> BoolImage:
         if self.all_points:
             return np.ones((GLASS_ROWS, GLASS_COLUMNS), dtype=bool)
         pages = self.ram[:8].reshape(8, 1, RAM_COLUMNS)

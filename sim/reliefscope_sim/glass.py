@@ -5,9 +5,11 @@ A pixel relaxes toward the state that its voltage asks for as a first-order syst
     x(t) = d + (x0 - d) exp(-(t - t0) / tau),    d = 1 driven, 0 not,
 
 with tau from the 10-90 % time of the data sheets (t_10-90 = tau ln 9), one for switching on (``rise_ms``) and
-one for falling back (``decay_ms``).  The transmission runs from 1 / contrast (shut) to 1 (open); negative
-glass (variant S) is open where driven, positive glass (E) where not.  Averages over an exposure are exact:
-the exponential is integrated in closed form between the switch events.
+one for falling back (``decay_ms``), both at 25 degrees Celsius and longer when cold.  Where the voltages are
+not those of the right contrast, d lies in between (:mod:`reliefscope_sim.liquid_crystal` has both laws).  The
+transmission runs from 1 / contrast (shut) to 1 (open); negative glass (variant S) is open where aligned and dark
+at rest, positive glass (E) clear at rest.  Averages over an exposure are exact: the exponential is integrated in
+closed form between the switch events.
 """
 
 from __future__ import annotations
@@ -20,31 +22,42 @@ from numpy.typing import NDArray
 
 from reliefscope.models.instrument import GlassModel
 from reliefscope.units import BoolImage, FloatImage
+from reliefscope_sim.liquid_crystal import ROOM_C, slowdown
 
 LN_9 = math.log(9.0)
 SETTLED = 1e-6
 """Distance from the final state that counts as none: light far below one electron of any pixel."""
+RIGHT_CONTRAST = (0.0, 1.0)
+"""Aligned fraction in the end of pixels that are not driven, and of those that are."""
 
 _State = NDArray[np.float64]
 
 
 @dataclass(frozen=True, slots=True)
 class _Span:
-    """From ``start_us`` on the pixels relax from ``aligned`` toward ``driven``."""
+    """From ``start_us`` on the pixels relax from ``aligned`` toward what their voltages ask for."""
 
     start_us: int
     aligned: _State
     driven: BoolImage
+    ends: tuple[float, float] = RIGHT_CONTRAST
+
+    @property
+    def target(self) -> _State:
+        """Aligned fraction in the end."""
+        off, on = self.ends
+        return np.where(self.driven, on, off)
 
 
 class Glass:
     """State of all pixels over time.  Times are device time in us and never decrease."""
 
-    def __init__(self, model: GlassModel, time_us: int = 0) -> None:
+    def __init__(self, model: GlassModel, time_us: int = 0, temperature_c: float = ROOM_C) -> None:
         shape = (model.rows, model.columns)
         self._floor = 1.0 / model.contrast_ratio
         self._open_when_driven = model.variant == "S"
-        self._tau_us = (model.decay_ms * 1000 / LN_9, model.rise_ms * 1000 / LN_9)
+        per_ms = 1000 / LN_9 * slowdown(temperature_c)
+        self._tau_us = (model.decay_ms * per_ms, model.rise_ms * per_ms)
         self._spans = [_Span(time_us, np.zeros(shape), np.zeros(shape, dtype=bool))]
         self.switches = 0
         """Times that any pixel changed its voltage."""
@@ -59,14 +72,19 @@ class Glass:
         """Pixels (64, 128) that will be open once the glass has settled."""
         return self.driven if self._open_when_driven else ~self.driven
 
-    def drive(self, time_us: int, driven: BoolImage) -> bool:
-        """Voltages from ``time_us`` on; returns whether any pixel changed."""
+    def drive(
+        self, time_us: int, driven: BoolImage, ends: tuple[float, float] = RIGHT_CONTRAST
+    ) -> bool:
+        """Voltages from ``time_us`` on; returns whether any pixel changed.
+
+        ``ends`` are the aligned fractions that pixels reach which are not driven, and which are.
+        """
         last = self._spans[-1]
-        if np.array_equal(last.driven, driven):
+        if last.ends == ends and np.array_equal(last.driven, driven):
             return False
         if time_us < last.start_us:
             raise ValueError(f"switch at {time_us} us, before the last one at {last.start_us} us")
-        self._spans.append(_Span(time_us, self._relaxed(last, time_us), driven.copy()))
+        self._spans.append(_Span(time_us, self._relaxed(last, time_us), driven.copy(), ends))
         self.switches += 1
         return True
 
@@ -97,17 +115,19 @@ class Glass:
 
     def _relaxed(self, span: _Span, time_us: int) -> _State:
         decay, rise = (math.exp(-(time_us - span.start_us) / tau) for tau in self._tau_us)
-        distance: _State = (span.aligned - span.driven) * np.where(span.driven, rise, decay)
+        target = span.target
+        distance: _State = (span.aligned - target) * np.where(span.driven, rise, decay)
         distance[np.abs(distance) < SETTLED] = 0.0
-        return span.driven + distance
+        return target + distance
 
     def _integral(self, span: _Span, since_us: int, until_us: int) -> _State:
         """Integral over time (us) of the aligned fraction."""
         duration = until_us - since_us
         weights = [tau * -math.expm1(-duration / tau) for tau in self._tau_us]
-        distance = self._relaxed(span, since_us) - span.driven
+        target = span.target
+        distance = self._relaxed(span, since_us) - target
         lag = distance * np.where(span.driven, weights[1], weights[0])
-        result: _State = span.driven * float(duration) + lag
+        result: _State = target * float(duration) + lag
         return result
 
     def _light(self, aligned: _State) -> FloatImage:

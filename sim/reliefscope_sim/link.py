@@ -19,6 +19,7 @@ class Cable:
     """Bytes under way in both directions.  Times in us."""
 
     def __init__(self, faults: Faults, seed: int) -> None:
+        self._faults = faults
         self._up = FaultyWire(faults, f"{seed}-to-host", delays=True)
         self._down = FaultyWire(faults, f"{seed}-to-device", delays=False)
         self._arriving: deque[tuple[int, bytes]] = deque()
@@ -39,6 +40,16 @@ class Cable:
     def unplug(self) -> None:
         """The host closed the port."""
         self.host_open = False
+
+    def cut(self) -> None:
+        """Break the link."""
+        self.broken = True
+
+    def strike(self, exposure: int) -> None:
+        """An exposure began: what is placed there happens to the link."""
+        self._up.strike(exposure)
+        if self._faults.strikes("link_cut", exposure):
+            self.cut()
 
     @property
     def unsent(self) -> int:

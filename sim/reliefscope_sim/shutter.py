@@ -19,7 +19,7 @@ from reliefscope.units import US_PER_S, FloatImage
 from reliefscope_sim.faults import Faults
 from reliefscope_sim.firmware import NEVER_US
 from reliefscope_sim.glass import Glass
-from reliefscope_sim.lights import FULL_LEVEL, LedLines
+from reliefscope_sim.lights import LedLines
 
 BUFFERS = 64
 """Frames that the camera's driver keeps; what comes after is lost until one is fetched."""
@@ -32,6 +32,7 @@ class Exposure:
     ``transmission`` (64, 128) is the glass's average over the exposure, ``led_energy`` (n_leds,) level
     fraction times seconds.  ``glass_key`` and ``light_key`` identify what was commanded, ``repeat`` counts
     exposures since that changed: together they key the noise, so that retaking a frame gives the same one.
+    ``kept`` is the part of the rows, from the top, that reached the host.
     """
 
     frame_id: int
@@ -42,18 +43,20 @@ class Exposure:
     glass_key: int
     light_key: int
     repeat: int
+    gain_db: float = 0.0
+    kept: float = 1.0
 
 
 @dataclass(frozen=True, slots=True)
 class _Open:
-    """An exposure under way."""
+    """An exposure under way; ``pulse`` is None where the camera runs freely."""
 
     frame_id: int
+    pulse: int | None
     start_us: int
     end_us: int
     glass_key: int
     switches: int
-    lost: bool
 
 
 class Shutter:
@@ -67,6 +70,7 @@ class Shutter:
         self._triggered = True
         self._now_us = 0
         self.exposure_us = 20_000
+        self.gain_db = 0.0
         self.armed = False
         self.unplugged = False
         self.dropped = 0
@@ -85,9 +89,10 @@ class Shutter:
         self._repeat = 0
         self.dropped = 0
 
-    def configure(self, exposure_us: int, *, triggered: bool) -> None:
-        """Exposure time and mode from the next :meth:`arm` on."""
+    def configure(self, exposure_us: int, *, triggered: bool, gain_db: float = 0.0) -> None:
+        """Exposure time, gain and mode from the next :meth:`arm` on."""
         self.exposure_us = exposure_us
+        self.gain_db = gain_db
         self._triggered = triggered
 
     def arm(self, time_us: int) -> None:
@@ -139,12 +144,12 @@ class Shutter:
         """Rising edge of the trigger line."""
         number = self.pulses
         self.pulses += 1
-        if number in self._faults.camera_unplug:
+        if self._faults.strikes("camera_unplug", number):
             self.unplug()
         if not self.armed or not self._triggered:
             return
         if self.ready(time_us):
-            self._start(time_us, lost=number in self._faults.camera_drop)
+            self._start(time_us, number)
         else:
             self._frame_id += 1
             self.dropped += 1
@@ -158,7 +163,7 @@ class Shutter:
             elif self._reading and self._reading[0][0] == due_us:
                 self._deliver(self._reading.popleft()[1])
             else:
-                self._start(due_us, lost=False)
+                self._start(due_us, None)
                 self._next_start_us = due_us + max(self._readout_us, self.exposure_us)
 
     def fetch(self) -> Exposure | None:
@@ -172,36 +177,47 @@ class Shutter:
         earliest = min(times)
         return earliest if earliest <= time_us else None
 
-    def _start(self, time_us: int, *, lost: bool) -> None:
+    def _start(self, time_us: int, pulse: int | None) -> None:
         glass_key = zlib.crc32(np.packbits(self._glass.commanded_open).tobytes())
         end_us = time_us + self.exposure_us
-        self._open = _Open(self._frame_id, time_us, end_us, glass_key, self._glass.switches, lost)
+        self._open = _Open(self._frame_id, pulse, time_us, end_us, glass_key, self._glass.switches)
         self._frame_id += 1
 
     def _finish(self, window: _Open) -> None:
         self._open = None
         self._busy_until_us = window.end_us + self._readout_us
-        energy = self._leds.energy(window.start_us, window.end_us)
-        duration_s = (window.end_us - window.start_us) / US_PER_S
-        levels = np.rint(energy / duration_s * FULL_LEVEL).astype("<i4")
+        span = (window.start_us, window.end_us)
+        levels = self._leds.mean_levels(*span).astype("<i4")
         exposure = Exposure(
             frame_id=window.frame_id,
             start_us=window.start_us,
             exposure_us=window.end_us - window.start_us,
-            transmission=self._glass.mean_transmission(window.start_us, window.end_us),
-            led_energy=energy,
+            transmission=self._glass.mean_transmission(*span),
+            led_energy=self._leds.energy(*span),
             glass_key=window.glass_key,
             light_key=zlib.crc32(levels.tobytes()),
             repeat=0,
+            gain_db=self.gain_db,
         )
         pair = (exposure.glass_key, exposure.light_key, window.switches)
         self._repeat = self._repeat + 1 if pair == self._last_pair else 0
         self._last_pair = pair
-        if window.lost:
+        self._read_out(replace(exposure, repeat=self._repeat), window.pulse)
+
+    def _read_out(self, exposure: Exposure, pulse: int | None) -> None:
+        """Send a frame on its way to the host, with what may happen to it there."""
+
+        def happens(fault: str) -> bool:
+            return pulse is not None and self._faults.strikes(fault, pulse)
+
+        if happens("camera_drop"):
             self.dropped += 1
-        else:
-            exposure = replace(exposure, repeat=self._repeat)
-            self._reading.append((self._busy_until_us, exposure))
+            return
+        if pulse is not None and happens("camera_torn"):
+            exposure = replace(exposure, kept=self._faults.draw("camera_torn rows", pulse))
+        late_us = self._faults.camera_late_us if happens("camera_late") else 0
+        for _ in range(2 if happens("camera_duplicate") else 1):
+            self._reading.append((self._busy_until_us + late_us, exposure))
 
     def _deliver(self, exposure: Exposure) -> None:
         if len(self._finished) < BUFFERS:

@@ -9,6 +9,7 @@ dot (``scene.tilt_deg=10``).
 from __future__ import annotations
 
 import difflib
+import math
 import re
 from dataclasses import dataclass, field
 from typing import Literal, cast
@@ -20,9 +21,12 @@ from reliefscope_sim.as_built import AsBuilt
 from reliefscope_sim.clock import TimeMode
 from reliefscope_sim.display import Mounting
 from reliefscope_sim.faults import Faults
+from reliefscope_sim.liquid_crystal import ROOM_C, TEMPERATURE_RANGE_C
 
 SCHEME = "sim"
 DEFAULT_PROFILE = "benchtop"
+STN_CONTRAST = 10.0
+"""Typical of positive STN glass (variant E); film-compensated glass (S) reaches 15."""
 KEYS = {
     "scene": "what lies under the instrument (default: fiducial)",
     "finish": "surface of the scene: dull, half or metallic (where the scene has finishes)",
@@ -34,6 +38,10 @@ KEYS = {
     "time": "virtual (default: as fast as frames can be rendered) or real",
     "glass": "variant of the glass that is fitted, E or S (default: the profile's)",
     "mounting": "how the glass sits: bottom_view (default) or top_view",
+    "contrast": "contrast ratio of the glass (default: the profile's; 10 where glass=E is fitted instead of S)",
+    "temperature": "of the glass in degrees Celsius (default: 25)",
+    "led_droop": "part of an LED's light that is lost when it is warm (default: 0)",
+    "bits": "depth of the camera's pixels, 8, 10 or 12 (default: the profile's)",
     "fault": "what goes wrong, as in fault=link_loss:0.05,camera_drop:3",
 }
 
@@ -54,6 +62,10 @@ class SimUrl:
     time: TimeMode = "virtual"
     glass: Literal["E", "S"] | None = None
     mounting: Mounting = Mounting.BOTTOM_VIEW
+    contrast: float | None = None
+    temperature_c: float = ROOM_C
+    led_droop: float = 0.0
+    bits: Literal[8, 10, 12] | None = None
     faults: Faults = field(default_factory=Faults)
     given: tuple[tuple[str, str], ...] = ()
 
@@ -100,11 +112,13 @@ class SimUrl:
         default_profile = name if name in builtin_profiles() else DEFAULT_PROFILE
         glass = _choice("glass", options, ("E", "S")) if "glass" in options else None
         as_built = _whole("as_built", options["as_built"]) if "as_built" in options else None
+        bits = int(_choice("bits", options, ("8", "10", "12"))) if "bits" in options else None
+        seed = _whole("seed", options.get("seed", "1"))
         return cls(
             name=name,
             scene=options.get("scene", "fiducial"),
             scene_options=tuple(sorted(scene_options.items())),
-            seed=_whole("seed", options.get("seed", "1")),
+            seed=seed,
             profile=options.get("profile", default_profile),
             as_built=as_built,
             calibration=cast(
@@ -115,16 +129,33 @@ class SimUrl:
             time=cast(TimeMode, _choice("time", options, ("virtual", "real"))),
             glass=cast(Literal["E", "S"] | None, glass),
             mounting=Mounting(_choice("mounting", options, [item.value for item in Mounting])),
-            faults=Faults.parse(options.get("fault", "")),
+            contrast=_within("contrast", options, (1.1, 10_000.0))
+            if "contrast" in options
+            else None,
+            temperature_c=_within("temperature", options, TEMPERATURE_RANGE_C, ROOM_C),
+            led_droop=_within("led_droop", options, (0.0, 0.5), 0.0),
+            bits=cast(Literal[8, 10, 12] | None, bits),
+            faults=Faults.parse(options.get("fault", ""), seed),
             given=tuple(sorted(options.items())),
         )
 
     def load_profile(self) -> InstrumentProfile:
         """The profile as designed, with the glass and the region of the camera that the address names."""
         profile = load_profile(self.profile)
-        if self.glass is not None:
-            glass = profile.glass.model_copy(update={"variant": self.glass})
-            profile = profile.model_copy(update={"glass": glass})
+        glass: dict[str, object] = {}
+        if self.glass is not None and self.glass != profile.glass.variant:
+            glass["variant"] = self.glass
+            if self.glass == "E":
+                glass["contrast_ratio"] = STN_CONTRAST
+        if self.contrast is not None:
+            glass["contrast_ratio"] = self.contrast
+        camera = {} if self.bits is None else {"bit_depth": self.bits}
+        profile = profile.model_copy(
+            update={
+                "glass": profile.glass.model_copy(update=glass),
+                "camera": profile.camera.model_copy(update=camera),
+            }
+        )
         if self.size is None:
             return profile
         columns, rows = self.size
@@ -168,7 +199,8 @@ class SimUrl:
         return dict(self.scene_options).get(key.removeprefix("scene."))
 
 
-_FIELD_OF_KEY = {key: "faults" if key == "fault" else key for key in KEYS if key != "finish"}
+_OTHER_FIELDS = {"fault": "faults", "temperature": "temperature_c"}
+_FIELD_OF_KEY = {key: _OTHER_FIELDS.get(key, key) for key in KEYS if key != "finish"}
 
 
 def _unknown_key(key: str) -> InvalidInputError:
@@ -195,6 +227,22 @@ def _whole(key: str, value: str) -> int:
             f"`{key}={value}` is no seed.", hint=f"Give a whole number from 0 on, as in {key}=1."
         )
     return int(value)
+
+
+def _within(
+    key: str, options: dict[str, str], limits: tuple[float, float], default: float = 0.0
+) -> float:
+    low, high = limits
+    try:
+        value = float(options.get(key, default))
+    except ValueError:
+        value = math.nan
+    if not low <= value <= high:
+        raise InvalidInputError(
+            f"`{key}={options[key]}` is not possible.",
+            hint=f"Give a number from {low:g} to {high:g}.",
+        )
+    return value
 
 
 def _size(value: str) -> tuple[int, int]:

@@ -155,7 +155,7 @@ def test_cancel_pauses_and_resume_takes_the_rest(
         ("camera_drop:9", CameraError, "The camera lost a frame: number 10 came instead of 9"),
         ("camera_drop:19", CameraError, "The camera stalled: the frame of exposure 19"),
         ("camera_unplug:7", CameraError, "The camera stalled at step 2: No strobe"),
-        ("reset_at:8", DeviceRebootedError, "BROWN_OUT"),
+        ("brown_out_at:8", DeviceRebootedError, "The device restarted"),
         ("stall_at:8", DeviceError, "did not answer"),
         ("link_cut:8", DeviceError, "lost"),
     ],
@@ -223,6 +223,7 @@ def test_an_event_that_disagrees_ends_the_run(
         (lambda frame: replace(frame, raw=frame.raw[:, 1:]), r"frame of uint16 \(48, 63\)"),
         (lambda frame: replace(frame, raw=frame.raw + np.uint16(5000)), "12 bits reach 4095"),
         (lambda frame: replace(frame, frame_id=frame.frame_id + 1), "lost a frame"),
+        (lambda frame: replace(frame, frame_id=min(frame.frame_id, 2)), "gave a frame twice"),
     ],
 )
 def test_a_frame_that_disagrees_ends_the_run(

@@ -247,7 +247,7 @@ def test_events_over_a_bad_link(twin):
 
 
 def test_reset_in_a_sequence_is_reported_with_its_cause(twin):
-    device = twin("reset_at:3")
+    device = twin("brown_out_at:3")
     prepare(device, [Step(0, 0, 10, 0, 10_000)])
     device.start(1, timing=NO_CAMERA)
     with pytest.raises(DeviceRebootedError) as caught:

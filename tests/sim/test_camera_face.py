@@ -69,7 +69,7 @@ def test_settings_are_bounded_and_fixed_while_armed(camera):
     low, high = EXPOSURE_RANGE_US
     assert camera.configure(CameraSettings(1)).exposure_us == low
     assert camera.configure(CameraSettings(10**9)).exposure_us == high
-    assert camera.configure(CameraSettings(5000, gain_db=6.0)).gain_db == 0.0
+    assert camera.configure(CameraSettings(5000, gain_db=6.04)).gain_db == 6.0
     camera.arm()
     with pytest.raises(CameraBusyError, match="armed"):
         camera.configure(CameraSettings(5000))

@@ -88,7 +88,7 @@ def test_too_short_a_settle_time_leaves_the_ghost_that_the_glass_law_gives():
 
 def test_reset_in_the_middle_of_an_exposure_turns_the_light_off_in_the_picture():
     steps = [step(0, OFF), step(0, 0), step(0, 0)]
-    with instrument("fault=reset_at:2") as (device, camera, bench):
+    with instrument("fault=brown_out_at:2") as (device, camera, bench):
         device.load_steps(steps)
         device.start(1)
         frames = [camera.next_frame(timeout_s=10.0) for _ in steps]

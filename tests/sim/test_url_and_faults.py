@@ -5,7 +5,7 @@ from tests.support import REPOSITORY
 
 from reliefscope.errors import InvalidInputError
 from reliefscope_sim.display import Mounting
-from reliefscope_sim.faults import KNOWN, Faults, FaultyWire
+from reliefscope_sim.faults import KNOWN, Faults, FaultyWire, Place
 from reliefscope_sim.url import KEYS, SimUrl
 
 
@@ -19,16 +19,25 @@ def test_every_option():
     url = SimUrl.parse(
         "sim://benchtop?scene=plane&scene.tilt_deg=10&finish=dull&seed=5&as_built=9&size=96x72"
         "&time=real&glass=E&mounting=top_view&fault=camera_drop:3&fault=link_loss:0.5"
-        "&calibration=nominal&profile=benchtop"
+        "&calibration=nominal&profile=benchtop&contrast=12&temperature=-5&led_droop=0.05&bits=8"
     )
     assert {key for key, _ in url.given} - {"scene.tilt_deg"} == set(KEYS)
     assert (url.scene, url.seed, url.as_built, url.size) == ("plane", 5, 9, (96, 72))
     assert dict(url.scene_options) == {"tilt_deg": "10", "finish": "dull"}
     assert (url.time, url.mounting) == ("real", Mounting.TOP_VIEW)
-    assert url.faults == Faults(link_loss=0.5, camera_drop=frozenset({3}))
+    assert url.faults == Faults(
+        rates={"link_loss": 0.5}, places={"camera_drop": Place(frozenset({3}))}
+    )
     profile = url.load_profile()
     assert profile.shape == (72, 96)
     assert profile.glass.variant == "E"
+    assert (profile.glass.contrast_ratio, profile.camera.bit_depth) == (12, 8)
+    assert (url.temperature_c, url.led_droop) == (-5, 0.05)
+
+
+def test_positive_glass_has_less_contrast_than_negative():
+    ratios = {v: SimUrl.parse(f"sim://benchtop?glass={v}").load_profile().glass for v in "ES"}
+    assert (ratios["E"].contrast_ratio, ratios["S"].contrast_ratio) == (10, 15)
 
 
 @pytest.mark.parametrize(
@@ -51,6 +60,11 @@ def test_every_option():
         ("sim://benchtop?fault=link_loss", "NUMBER"),
         ("sim://benchtop?fault=camera_drop:1.5", "whole number"),
         ("sim://benchtop?fault=camera_drop:-1", "NUMBER"),
+        ("sim://benchtop?fault=camera_drop:120%", "more than 1"),
+        ("sim://benchtop?fault=disk_full:3", "made by the system"),
+        ("sim://benchtop?temperature=90", "from -30 to 70"),
+        ("sim://benchtop?contrast=x", "from 1.1"),
+        ("sim://benchtop?bits=9", "8, 10, 12"),
     ],
 )
 def test_wrong_addresses_are_refused_with_advice(url, named):
@@ -75,9 +89,19 @@ def test_addresses_agree_by_meaning():
 
 def test_every_documented_fault_is_understood():
     for name in KNOWN:
-        faults = Faults.parse(f"{name}:1")
-        field = "link_delay_us" if name == "link_delay" else name
-        assert getattr(faults, field) not in (0, frozenset())
+        assert Faults.parse(f"{name}:1") != Faults()
+
+
+def test_a_rate_of_exposures_is_drawn_from_seed_and_place_alone():
+    faults = Faults.parse("camera_drop:20%,camera_drop:7", seed=3)
+    struck = [number for number in range(5000) if faults.strikes("camera_drop", number)]
+    assert 7 in struck
+    assert len(struck) / 5000 == pytest.approx(0.2, abs=0.02)
+    again = Faults.parse("camera_drop:20%,camera_late:1", seed=3)
+    assert [n for n in range(5000) if again.strikes("camera_drop", n) or n == 7] == struck
+    other = Faults.parse("camera_drop:20%", seed=4)
+    assert [n for n in range(5000) if other.strikes("camera_drop", n)] != struck
+    assert not faults.strikes("camera_late", 7)
 
 
 FRAMES = [bytes([1 + n % 250, 2, 3, 4, 5, 0]) for n in range(2000)]
@@ -125,6 +149,23 @@ def test_faults_come_from_the_seed():
     text = "link_loss:0.1,link_flip:0.01,link_delay:3"
     assert carried(text) == carried(text)
     assert carried(text) != carried(text, seed="t")
+
+
+@pytest.mark.parametrize("fault", ["link_loss_at", "link_flip_at", "link_duplicate_at"])
+def test_a_placed_fault_hits_the_next_frame_and_no_other(fault):
+    wire = FaultyWire(Faults.parse(f"{fault}:4"), "s", delays=True)
+    wire.strike(3)
+    sound = wire.feed(0, FRAMES[0])
+    wire.strike(4)
+    delimiter = wire.feed(1, b"\0")
+    struck = b"".join(data for _, data in wire.feed(2, FRAMES[1][:2]) + wire.feed(3, FRAMES[1][2:]))
+    assert (sound, delimiter) == ([(0, FRAMES[0])], [(1, b"\0")])
+    if fault == "link_flip_at":
+        changed = [a ^ b for a, b in zip(struck, FRAMES[1], strict=True) if a != b]
+        assert [bits.bit_count() for bits in changed] == [1]
+    else:
+        assert struck == (b"" if fault == "link_loss_at" else 2 * FRAMES[1])
+    assert wire.feed(4, FRAMES[2]) == [(4, FRAMES[2])]
 
 
 def test_a_frame_in_pieces_is_lost_as_a_whole():
