@@ -30,7 +30,7 @@ def test_examples_of_the_scripting_guide_run(
     for number, example in enumerate(examples):
         exec(compile(example, f"scripting.md, example {number}", "exec"), names)
     printed = capsys.readouterr().out
-    assert "hemispheres" in printed
+    assert "planes" in printed
     assert "['mine', 'paper']" in printed
     made = {path.name for path in (tmp_path / "runs").iterdir()}
     assert made >= {"first", "basalt-01", "campaign-A", "campaign-B"}

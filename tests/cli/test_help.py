@@ -19,7 +19,18 @@ COMMANDS = [
     "flash",
     "link-test",
 ]
-HEAVY = ["numpy", "numba", "scipy", "textual", "matplotlib", "cv2", "zarr", "serial", "usb", "bincopy"]
+HEAVY = [
+    "numpy",
+    "numba",
+    "scipy",
+    "textual",
+    "matplotlib",
+    "cv2",
+    "zarr",
+    "serial",
+    "usb",
+    "bincopy",
+]
 PROGRAM = """
 import sys, json
 from reliefscope.cli import main

@@ -265,11 +265,11 @@ async def test_whole_screen_over_the_simulated_instrument(tmp_path: Path) -> Non
         await until(pilot, lambda: app.glass.bitmap.sum() > 0)
         await pilot.press("up", "enter")
         await until(pilot, lambda: len(app.dome.lit) == 1)
-        await until(pilot, lambda: pictures[-1].mean > 3 * dark)
+        await until(pilot, lambda: pictures[-1].mean > 3 * dark, 15)
         await pilot.press("a")
         app.screen.query_one("#out", Input).value = str(tmp_path / "run")
         await pilot.click("#start")
         await until(pilot, lambda: not app.dome.lit)
-        await until(pilot, lambda: (tmp_path / "run").is_dir(), 30)
+        await until(pilot, (tmp_path / "run").is_dir, 30)
         await until(pilot, lambda: not app.engine.busy)
     assert open_run(tmp_path / "run").verify().ok

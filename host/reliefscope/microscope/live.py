@@ -7,7 +7,7 @@ import random
 import threading
 import time
 from collections.abc import Callable, Iterator, Mapping
-from contextlib import suppress
+from contextlib import contextmanager, suppress
 from pathlib import Path
 from types import MappingProxyType, TracebackType
 from typing import Any, Self
@@ -17,9 +17,16 @@ import numpy as np
 from reliefscope.acquisition import acquire as acquire_run
 from reliefscope.acquisition import resume as resume_run
 from reliefscope.camera import offers_camera, open_camera
+from reliefscope.dataset.writer import PARTIAL_SUFFIX, partial_path
 from reliefscope.device import Device, ExposureEvent, FaultEvent, SequenceEvent, SequenceNews, Step
 from reliefscope.device.sequence import SequenceTiming, sequence_duration_s
-from reliefscope.errors import CameraError, DeviceError, InvalidInputError, ReliefscopeError
+from reliefscope.errors import (
+    CameraError,
+    DeviceError,
+    InvalidInputError,
+    OutputExistsError,
+    ReliefscopeError,
+)
 from reliefscope.jobs import Job
 from reliefscope.microscope.instruments import Instrument, resolve_instrument
 from reliefscope.microscope.places import fresh_path
@@ -404,7 +411,7 @@ class Microscope:
         """
         place = fresh_path("run") if out is None else Path(out)
         camera = self._watched(on_frame)
-        with self._camera_lock:
+        with self._camera_lock, _resumable(place):
             try:
                 run = acquire_run(
                     self.device,
@@ -430,7 +437,7 @@ class Microscope:
     ) -> StoredRun:
         """Take what is missing of a run."""
         camera = self._watched(on_frame)
-        with self._camera_lock:
+        with self._camera_lock, _resumable(Path(run)):
             try:
                 return StoredRun(resume_run(Path(run), self.device, camera, job))
             finally:
@@ -445,6 +452,21 @@ class Microscope:
         self._levels = {}
         with suppress(ReliefscopeError):
             self.shut()
+
+
+@contextmanager
+def _resumable(run: Path) -> Iterator[None]:
+    """Tell how to go on where an acquisition that had begun ends early."""
+    partial = run if run.name.endswith(PARTIAL_SUFFIX) else partial_path(run)
+    try:
+        yield
+    except OutputExistsError:
+        raise
+    except ReliefscopeError as error:
+        if partial.is_dir() and "--resume" not in error.hint:
+            advice = f"Go on with: `reliefscope acquire --resume {partial}`."
+            error.hint = f"{error.hint}\n{advice}" if error.hint else advice
+        raise
 
 
 class _WatchedCamera:

@@ -256,6 +256,8 @@ class ReliefscopeApp(App[None]):
         if event.run is None:
             self._stage_line.update(f"[yellow]{escape(event.note)}[/]")
             self.say(f"[yellow]Acquisition:[/] {escape(event.note)}")
+            if event.hint:
+                self.say(f"  [cyan]{escape(event.hint)}[/]")
             return
         path = escape(str(event.run.path))
         self._stage_line.update(f"[green]complete[/]  {path}")

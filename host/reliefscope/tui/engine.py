@@ -71,10 +71,11 @@ class Advanced(Message):
 class Ended(Message):
     """An acquisition ended: with a run, or cancelled without a complete one."""
 
-    def __init__(self, run: StoredRun | None, note: str) -> None:
+    def __init__(self, run: StoredRun | None, note: str, hint: str = "") -> None:
         super().__init__()
         self.run = run
         self.note = note
+        self.hint = hint
 
 
 @dataclass(frozen=True, slots=True)
@@ -296,7 +297,7 @@ class Engine:
                 stored = work(microscope, job)
                 self._post(Ended(stored, "complete"))
             except Cancelled as error:
-                self._post(Ended(None, error.message))
+                self._post(Ended(None, error.message, error.hint))
             except Exception:
                 self._post(Ended(None, "stopped by an error"))
                 raise
