@@ -199,8 +199,9 @@ class Pairing:
                 hint=f"Check its cable, its trigger mode and the load of this computer. {_RESUME}",
             ) from error
         if frame.frame_id != self._count:
+            happened = "lost a frame" if frame.frame_id > self._count else "gave a frame twice"
             raise CameraError(
-                f"The camera lost a frame: number {frame.frame_id} came instead of {self._count} ({name}); "
+                f"The camera {happened}: number {frame.frame_id} came instead of {self._count} ({name}); "
                 f"{self._camera.dropped} frames were lost.",
                 hint=f"Check its cable and the load of this computer. {_RESUME}",
             )
