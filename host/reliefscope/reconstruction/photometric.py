@@ -1,7 +1,7 @@
 """Photometric stereo: Lambert's law by least squares with the paper's quality score (eq. 4-10).
 
-The intensities are linear, full scale 1, and belong to one virtual view, so that a pixel is the
-same point of the sample under every light.
+The intensities are linear and belong to one virtual view, so that a pixel is the same point of the
+sample under every light.
 """
 
 from __future__ import annotations
@@ -17,9 +17,11 @@ from reliefscope.reconstruction import ps_kernels
 from reliefscope.units import FloatImage
 
 RESIDUAL_SCALE = 0.2
-"""Residual (intensity, full scale 1) that halves the quality, eq. 10."""
+"""Residual, as a fraction of full scale, that halves the quality, eq. 10."""
 SLANT_SCALE_RAD = math.radians(80.0)
 """Slant that halves the quality, eq. 10."""
+FULL_SCALE_PERCENTILE = 99.0
+"""Percentile of the intensities that counts as full scale in eq. 10."""
 CHANGE_SCALE = 0.1
 """Change of the normal per pixel that halves the quality, eq. 10."""
 MAXIMUM_CONDITION = 20.0
@@ -46,7 +48,7 @@ class PsResult:
     albedo:
         Length of the least-squares vector (eq. 5), in units of intensity.
     residual:
-        Root-mean-square residual of eq. 7, intensity with full scale 1.
+        Root-mean-square residual of eq. 7, in units of intensity.
     change:
         Change of the normal per pixel, eq. 8.
     quality:
@@ -114,6 +116,7 @@ def solve_lambert(
     directions: ArrayLike,
     *,
     trim: tuple[float, float] | None = None,
+    full_scale: float = 1.0,
     maximum_condition: float = MAXIMUM_CONDITION,
 ) -> PsResult:
     """Normals, albedo and quality from intensities under known lights.
@@ -121,7 +124,7 @@ def solve_lambert(
     Parameters
     ----------
     images:
-        (L, H, W) float32, linear, full scale 1; NaN marks missing pixels.
+        (L, H, W) float32, linear; NaN marks missing pixels.
     directions:
         (L, 3) vectors from the sample to the lights; only their directions count.
     trim:
@@ -129,6 +132,8 @@ def solve_lambert(
         lights whose intensity at the pixel ranks between these fractions, which leaves shadows
         (low) and highlights (high) out; eq. 7 then counts the kept lights only.  (0.2, 0.9) is a
         good choice from eight lights on.
+    full_scale:
+        Intensity that counts as 1 in the quality of eq. 10, see :func:`full_scale_of`.
     maximum_condition:
         See :data:`MAXIMUM_CONDITION`.
 
@@ -164,7 +169,7 @@ def solve_lambert(
     ps_kernels.score_quality(
         normals,
         residual,
-        RESIDUAL_SCALE,
+        RESIDUAL_SCALE * full_scale,
         SLANT_SCALE_RAD,
         CHANGE_SCALE,
         slant,
@@ -173,6 +178,18 @@ def solve_lambert(
     )
     quality[~(normals[..., 2] > 0.0)] = 0.0
     return PsResult(normals, albedo, residual, change, quality, slant)
+
+
+def full_scale_of(images: FloatImage, percentile: float = FULL_SCALE_PERCENTILE) -> float:
+    """Intensity of ``images`` (L, H, W) that counts as full scale.
+
+    Eq. 10 weighs the residual against full scale, so it takes the sample for well exposed.  Behind a leaking
+    glass it never is: the shut pixels fill a large part of the camera's range, and the frames that are left
+    after the subtraction of their light reach a fraction of it.  Full scale is therefore where a well
+    exposed frame would have it, at the brightest hundredth of the sample's own intensities.
+    """
+    level = float(np.nanpercentile(images[:, ::4, ::4], percentile))
+    return level if level > 0.0 else 1.0
 
 
 def kept_ranks(lights: int, trim: tuple[float, float]) -> tuple[int, int]:

@@ -1,15 +1,13 @@
 """From a run to a surface: section III of the paper, stage by stage.
 
-1. Views for matching: the mean over the lights of each view, brought to equal gain.  These are
-luminances; a
+1. Views for matching: the mean over the lights of each view, brought to equal gain.  These are luminances; a
    raw mosaic is never matched, because its pattern agrees with itself at zero parallax.
 2. Multi-view stereo; heights of low quality are discarded; robust smoothing fills and cleans them.
-3. Frames are brought to the view s = 0 by the smoothed height, and averaged over the views, light
-by light. 4. Photometric stereo; normals of low quality are discarded.
+3. Frames are brought to the view s = 0 by the smoothed height, and averaged over the views, light by light.
+4. Photometric stereo; normals of low quality are discarded.
 5. Fusion.
 
-With one view there is no stereo, and the normals are integrated; with one light there is stereo
-only.
+With one view there is no stereo, and the normals are integrated; with one light there is stereo only.
 """
 
 from __future__ import annotations
@@ -153,7 +151,11 @@ class _Pipeline:
             if micrograph is None:
                 micrograph = images.mean(axis=0)
             with self._timed("photometric stereo"):
-                solved = photometric.solve_lambert(images, self._directions, trim=settings.trim)
+                full_scale = settings.full_scale or photometric.full_scale_of(images)
+                figures["full_scale"] = full_scale
+                solved = photometric.solve_lambert(
+                    images, self._directions, trim=settings.trim, full_scale=full_scale
+                )
             del images
         self._kept = None
         with self._timed("fuse"):

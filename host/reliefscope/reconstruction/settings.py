@@ -45,6 +45,8 @@ class Settings(StrictModel):
     """Leave a view out where the surface hides the point from it."""
     trim: tuple[Fraction, Fraction] | None = None
     """Share of the lights, darkest first, between which intensities count; None: all lights."""
+    full_scale: Positive | None = None
+    """Intensity that counts as 1 in eq. 10; None: the brightest hundredth of the images."""
     photometric_quality: Fraction = 0.25
     """Normals of a lower quality are discarded."""
 
