@@ -5,7 +5,8 @@ import numpy as np
 import pytest
 from tests.sim import optics_bench as ob
 
-from reliefscope.errors import InvalidInputError
+from reliefscope.errors import Cancelled, InvalidInputError
+from reliefscope.jobs import Job
 from reliefscope_sim.as_built import AsBuilt
 from reliefscope_sim.optics import Renderer
 from reliefscope_sim.optics.cache import ByteCache
@@ -110,6 +111,34 @@ def test_frames_are_the_same_bit_for_bit_whatever_the_number_of_threads(name, op
     renderer.signal(ob.disc(instrument, 1.5), ob.one_led(instrument, 2))
     again = renderer.expose(transmission, ob.one_led(instrument, 5), 0.02, (9, 5))
     assert np.array_equal(frames[0], again)
+
+
+def test_preparing_reports_every_led_stops_on_request_and_changes_no_frame():
+    instrument = ob.profile()
+    scene = ob.sample(instrument, 0.0, 0.5)
+    prepared = Renderer(instrument, scene, AsBuilt.nominal(instrument), ob.SHAPE)
+    events = []
+    prepared.prepare(Job(events.append))
+    assert [event.done for event in events] == [*range(17), 16]
+    fresh = Renderer(instrument, scene, AsBuilt.nominal(instrument), ob.SHAPE)
+    arguments = (ob.disc(instrument, 1.5), ob.one_led(instrument), 0.02, (1,))
+    assert np.array_equal(prepared.expose(*arguments), fresh.expose(*arguments))
+    stopped = Job()
+    stopped.cancel()
+    with pytest.raises(Cancelled):
+        fresh.prepare(stopped)
+
+
+def test_both_profiles_expose_a_white_sample_well():
+    for name in ("benchtop", "miniature"):
+        instrument = ob.load_profile(name).resized(ob.SHAPE[1], ob.SHAPE[0])
+        scene = load_scene("flat", 0, {"albedo": 0.9}, shape=ob.SHAPE, pixel_um=instrument.pixel_um)
+        renderer = Renderer(instrument, scene, AsBuilt.nominal(instrument))
+        transmission = np.where(ob.disc(instrument, 1.5) > 0, 1.0, 1 / 15)
+        energy = ob.one_led(instrument) * instrument.exposure_ms / 20
+        raw = renderer.expose(transmission, energy, instrument.exposure_ms / 1000, (1,))
+        assert raw.shape == ob.SHAPE
+        assert 0.4 < raw.mean() / instrument.camera.full_scale < 0.7
 
 
 def test_caches_keep_within_their_bound_and_forget_the_oldest():

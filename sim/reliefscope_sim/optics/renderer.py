@@ -15,6 +15,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from reliefscope.errors import InvalidInputError
+from reliefscope.jobs import Job, ensure_job
 from reliefscope.models.instrument import InstrumentProfile
 from reliefscope.units import FloatArray, FloatImage, RawImage
 from reliefscope_sim.as_built import AsBuilt
@@ -82,10 +83,13 @@ class Renderer:
         self._sensor = Sensor(profile.camera)
         self._signal_per_mm2_s = signal_per_mm2_s(profile)
 
-    def prepare(self) -> None:
+    def prepare(self, job: Job | None = None) -> None:
         """Compute the lighting of every LED now (shadows, light between surfaces) instead of when needed."""
-        for led in range(self.profile.dome.count):
-            self._lit_by(led)
+        count = self.profile.dome.count
+        with ensure_job(job).stage("lighting", count) as stage:
+            for led in range(count):
+                self._lit_by(led)
+                stage.advance()
 
     def expose(
         self,
