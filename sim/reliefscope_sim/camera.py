@@ -43,6 +43,11 @@ class SimCamera:
         return self._info
 
     @property
+    def is_open(self) -> bool:
+        """Whether it was not closed."""
+        return self._bench is not None
+
+    @property
     def dropped(self) -> int:
         """Frames lost since it was armed: missed pulses, full buffers, faults."""
         return self._open_bench().shutter.dropped

@@ -9,6 +9,7 @@ from __future__ import annotations
 import logging
 import sys
 from collections.abc import Sequence
+from importlib.metadata import entry_points
 from typing import Annotated
 
 import typer
@@ -47,6 +48,10 @@ app.command("info", rich_help_panel="Look after runs")(dataset.info)
 app.command("verify", rich_help_panel="Look after runs")(dataset.verify)
 app.command("flash", rich_help_panel="Look after the instrument")(flash.flash)
 app.command("link-test", rich_help_panel="Look after the instrument")(link_test.link_test)
+
+COMMAND_GROUP = "reliefscope.commands"
+for _entry in entry_points(group=COMMAND_GROUP):
+    app.add_typer(_entry.load(), name=_entry.name, rich_help_panel="From installed packages")
 
 
 @app.callback(invoke_without_command=True)

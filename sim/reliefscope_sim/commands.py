@@ -1,0 +1,118 @@
+"""``reliefscope sim``: the simulated instrument for other programs.
+
+The host's command line finds this group through the entry points ``reliefscope.commands``.  Nothing here imports
+the bench before a command really runs.
+"""
+
+from __future__ import annotations
+
+import json
+import signal
+import threading
+from pathlib import Path
+from types import FrameType
+from typing import TYPE_CHECKING, Annotated
+
+import typer
+
+from reliefscope.errors import InvalidInputError
+
+if TYPE_CHECKING:
+    from reliefscope.models.base import StrictModel
+
+JSON_SCHEMA_VERSION = 1
+
+app = typer.Typer(
+    name="sim",
+    help="Serve the simulated instrument to other programs; play recorded sessions again.",
+    no_args_is_help=True,
+)
+
+
+@app.command("serve")
+def serve(
+    url: Annotated[
+        str, typer.Argument(metavar="URL", help="Instrument to serve, sim://NAME?...")
+    ] = "sim://benchtop?scene=fiducial",
+    host: Annotated[
+        str, typer.Option("--host", help="Interface to listen on; nothing asks for a password.")
+    ] = "127.0.0.1",
+    port: Annotated[
+        int, typer.Option("--port", min=0, max=65535, help="Port of the device; 0: any free one.")
+    ] = 0,
+    camera_port: Annotated[
+        int,
+        typer.Option(
+            "--camera-port", min=0, max=65535, help="Port of the camera; 0: any free one."
+        ),
+    ] = 0,
+    terminal: Annotated[
+        bool,
+        typer.Option("--pty", help="Offer the device as a serial port of this system instead."),
+    ] = False,
+    save: Annotated[
+        Path | None,
+        typer.Option(
+            "--save",
+            metavar="FOLDER",
+            help="Write profile.yml and calibration.yml of this instrument there.",
+        ),
+    ] = None,
+    as_json: Annotated[
+        bool, typer.Option("--json", help="Print the addresses as one JSON object.")
+    ] = False,
+) -> None:
+    """Offer device and camera of one simulated instrument to any client, in real time, until Ctrl-C.
+
+    The device speaks its protocol over TCP (socket://HOST:PORT of pyserial) or a pseudo-terminal; the camera a
+    protocol of JSON lines, also reached as sim+tcp://HOST:PORT/camera.
+    """
+    from reliefscope_sim.serve import InstrumentServer
+
+    stop = threading.Event()
+
+    def on_signal(number: int, frame: FrameType | None) -> None:  # noqa: ARG001 - fixed by signal
+        stop.set()
+
+    for number in (signal.SIGINT, signal.SIGTERM):
+        signal.signal(number, on_signal)
+    with InstrumentServer(
+        url, host=host, port=port, camera_port=camera_port, terminal=terminal
+    ) as server:
+        files: dict[str, str] = {} if save is None else _save(server.url, save)
+        command = f"reliefscope acquire --device {server.device_url} --camera {server.camera_url}"
+        command += "".join(f" --{name} {path}" for name, path in files.items())
+        if as_json:
+            addresses = {"device": server.device_url, "camera": server.camera_url, **files}
+            typer.echo(
+                json.dumps({"schema_version": JSON_SCHEMA_VERSION, "url": server.url, **addresses})
+            )
+        else:
+            typer.echo(f"Device  {server.device_url}\nCamera  {server.camera_url}")
+            typer.echo(f"Next:   {command}\nCtrl-C ends it.")
+        while not stop.wait(1.0):
+            pass
+
+
+def _save(url: str, folder: Path) -> dict[str, str]:
+    from reliefscope_sim.offer import describe
+
+    offer = describe(url)
+    try:
+        folder.mkdir(parents=True, exist_ok=True)
+        return {
+            "profile": _write(folder / "profile.yml", offer.profile),
+            "calibration": _write(folder / "calibration.yml", offer.calibration),
+        }
+    except OSError as error:
+        raise InvalidInputError(
+            f"{folder} cannot be written: {error.strerror or error}.",
+            hint="Choose another folder with --save.",
+        ) from error
+
+
+def _write(path: Path, model: StrictModel) -> str:
+    import yaml
+
+    path.write_text(yaml.safe_dump(model.model_dump(mode="json"), sort_keys=False), "utf-8")
+    return str(path)
