@@ -42,6 +42,6 @@ def test_every_command_of_the_guides_exists() -> None:
     known = {command.name for command in app.registered_commands}
     for page in GUIDE.glob("*.md"):
         for command in re.findall(
-            r"^ {4}reliefscope (\w+)", page.read_text(encoding="utf-8"), re.M
+            r"^ {4}reliefscope ([\w-]+)", page.read_text(encoding="utf-8"), re.M
         ):
             assert command in known, f"{page.name} uses `reliefscope {command}`"

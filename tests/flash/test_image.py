@@ -125,9 +125,9 @@ def test_any_bytes_can_be_searched(before, cut, after):
     assert not list(find_identities(before.replace(b"\x89", b"") + size))
 
 
-def test_image_that_would_lock_the_chip_cannot_be_forced(tmp_path):
+def test_image_that_could_lock_the_chip_cannot_be_forced(tmp_path):
     for parts in (program(identity_block(), fsec=0xFF), program(identity_block(), fsec=0x64)):
-        with pytest.raises(ImageError, match="lock the chip"):
+        with pytest.raises(ImageError, match="could lock the chip"):
             FirmwareImage.load(other_image(tmp_path, parts))
 
 

@@ -20,7 +20,7 @@ BLOCK_BYTES = 1024
 """What the bootloader writes at once."""
 SECURITY_AT = 0x40C
 UNSECURED = 0xDE
-"""Byte FSEC of the flash configuration field: every other value that a linker would leave there locks the chip."""
+"""Byte FSEC of the flash configuration field: not secured, may be erased.  Erased flash (0xFF) reads as secured."""
 RAM = range(0x1FFF8000, 0x20008000 + 1)
 """Where the stack may start: it grows downward, so the address after the last byte is the usual one."""
 ERASED = 0xFF
@@ -51,7 +51,7 @@ class FirmwareImage:
         data = _read(path)
         if data[SECURITY_AT] != UNSECURED:
             raise ImageError(
-                f"{path} would lock the chip: byte 0x{SECURITY_AT:X} is 0x{data[SECURITY_AT]:02X}, "
+                f"{path} could lock the chip: byte 0x{SECURITY_AT:X} is 0x{data[SECURITY_AT]:02X}, "
                 f"not 0x{UNSECURED:02X}.",
                 hint=f"It was built for another chip or with another linker script. {_HOW_TO_GET_ONE}",
             )
