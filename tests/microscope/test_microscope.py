@@ -135,8 +135,11 @@ def test_acquire_verifies_and_hands_on_every_frame(microscope: Microscope, tmp_p
     assert run.verify().ok
     assert microscope.device.status().light == 255
     assert microscope.aperture_name == "shut"
+    microscope.set_light({3: 100})
     with pytest.raises(OutputExistsError):
         microscope.acquire(plan, tmp_path / "r")
+    assert not microscope.light
+    assert microscope.device.status().light == 255
 
 
 def test_cancelled_run_is_resumed(microscope: Microscope, tmp_path: Path) -> None:

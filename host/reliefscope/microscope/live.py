@@ -411,21 +411,18 @@ class Microscope:
         """
         place = fresh_path("run") if out is None else Path(out)
         camera = self._watched(on_frame)
-        with self._camera_lock, _resumable(place):
-            try:
-                run = acquire_run(
-                    self.device,
-                    camera,
-                    plan or self.default_plan(),
-                    self.profile,
-                    self.calibration,
-                    place,
-                    job=job,
-                    sample=sample,
-                    notes=notes,
-                )
-            finally:
-                self._forget_state()
+        with self._sequence(place):
+            run = acquire_run(
+                self.device,
+                camera,
+                plan or self.default_plan(),
+                self.profile,
+                self.calibration,
+                place,
+                job=job,
+                sample=sample,
+                notes=notes,
+            )
         return StoredRun(run)
 
     def resume(
@@ -437,21 +434,25 @@ class Microscope:
     ) -> StoredRun:
         """Take what is missing of a run."""
         camera = self._watched(on_frame)
-        with self._camera_lock, _resumable(Path(run)):
-            try:
-                return StoredRun(resume_run(Path(run), self.device, camera, job))
-            finally:
-                self._forget_state()
+        with self._sequence(Path(run)):
+            return StoredRun(resume_run(Path(run), self.device, camera, job))
 
     def _watched(self, on_frame: Callable[[Frame], None] | None) -> Camera:
         camera = self._need_camera()
         return camera if on_frame is None else _WatchedCamera(camera, on_frame)
 
-    def _forget_state(self) -> None:
-        """After a sequence the light is off and the glass shows whatever came last: shut it."""
-        self._levels = {}
-        with suppress(ReliefscopeError):
+    @contextmanager
+    def _sequence(self, run: Path) -> Iterator[None]:
+        """Around an acquisition: light off and glass shut before and after, however it ends."""
+        with self._camera_lock, _resumable(run):
+            self.all_off()
             self.shut()
+            try:
+                yield
+            finally:
+                with suppress(ReliefscopeError):
+                    self.all_off()
+                    self.shut()
 
 
 @contextmanager

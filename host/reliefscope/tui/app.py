@@ -165,7 +165,7 @@ class ReliefscopeApp(App[None]):
     def say(self, text: str) -> None:
         """A line in the messages; ``text`` is markup."""
         stamp = time.strftime("%H:%M:%S")
-        self._messages.write(f"[dim]{stamp}[/] {text}")
+        self._messages.write(f"[dim]{stamp}[/] {text}", expand=True)
 
     # The picture ------------------------------------------------------------------------------
 
@@ -221,10 +221,15 @@ class ReliefscopeApp(App[None]):
 
     def on_disconnected(self, _: Disconnected) -> None:
         """Empty the picture."""
-        self._instrument_bar.update("not connected")
-        self._camera_panel.border_subtitle = ""
-        self._camera_line.update("")
+        self._show_unconnected()
         self.preview.clear()
+
+    def _show_unconnected(self) -> None:
+        self._instrument_bar.update("not connected")
+        self._light_bar.update("light off")
+        self._light_bar.remove_class("lit")
+        self._camera_panel.border_subtitle = ""
+        self._camera_line.update(" press [b]c[/b] to connect")
 
     def on_state_changed(self, _: StateChanged) -> None:
         """Draw what the device confirmed."""
@@ -233,6 +238,8 @@ class ReliefscopeApp(App[None]):
     def on_failed(self, event: Failed) -> None:
         """Show the error with its hint, where it stays until the next one."""
         self._messages.add_class("error")
+        if self.engine.microscope is None:
+            self._show_unconnected()
         self.say(f"[bold red]Could not {escape(event.doing)}:[/] {escape(event.error.message)}")
         for line in event.error.hint.splitlines():
             self.say(f"  [cyan]{escape(line)}[/]")
@@ -240,6 +247,10 @@ class ReliefscopeApp(App[None]):
     def on_advanced(self, event: Advanced) -> None:
         """Progress of the acquisition."""
         progress = event.progress
+        if progress.done == 0:
+            self._show_state()
+            self._light_bar.update("sequence")
+            self._light_bar.add_class("lit")
         self._progress.update(total=max(progress.total, 1), progress=progress.done)
         stage = progress.stage.replace("_", " ")
         self._stage_line.update(
