@@ -55,6 +55,16 @@ def test_finishes_run_from_diffuse_to_mirror():
     assert gloss[0] < gloss[1] < gloss[2]
 
 
+def test_walls_carry_less_film_than_level_faces():
+    shape = (400, 400)
+    scene = load_scene("fiducial", 1, {}, shape=shape, pixel_um=PITCH)
+    height = middle(scene.height_um)
+    wall = np.hypot(*np.gradient(height)) > 20
+    ratio = middle(scene.albedo)[wall].mean() / middle(scene.albedo)[~wall].mean()
+    assert wall.sum() > 500
+    assert ratio == pytest.approx(0.43, abs=0.06)
+
+
 def test_options_come_as_text_too():
     assert np.unique(load("flat", height_um="12.5").height_um).tolist() == [12.5]
     tilted = load("plane", tilt_deg="30", azimuth_deg="90").height_um

@@ -6,6 +6,7 @@ from dataclasses import dataclass
 
 import numpy as np
 
+from reliefscope.axes import normals_from_height
 from reliefscope.targets import Fiducial3D
 from reliefscope.units import FloatImage
 from reliefscope_sim.scenes.options import Options
@@ -14,6 +15,9 @@ from reliefscope_sim.scenes.textures import noise, speckle
 
 LAYER_UM = 0.5
 """Layer height of the printer (section IV.B)."""
+WALL_COVERAGE = 0.4
+"""Reflectance of the film on a vertical wall relative to a level face (assumed): sputtering comes from above
+and coats walls thinner, and a thin film corrodes further."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -42,7 +46,10 @@ def fiducial(seed: int, options: Options, shape: tuple[int, int], pixel_um: floa
     scale = options.number("scale", 1.0, 0.05, 10.0)
     generator = np.random.default_rng([seed, 0xF1D])
     target = Fiducial3D(scale=scale)
-    height_um = _printed(target.height_um(shape, pixel_um), target.base_um)
+    design_um = target.height_um(shape, pixel_um)
+    level = normals_from_height(design_um, pixel_um)[..., 2]
+    film = np.float32(WALL_COVERAGE) + np.float32(1 - WALL_COVERAGE) * level
+    height_um = _printed(design_um, target.base_um)
     height_um += np.float32(finish.texture_um) * noise(generator, shape, 1.5 / pixel_um)
     # Corrosion leaves patches of a few micrometres with finer grain inside.
     field = speckle(
@@ -54,13 +61,13 @@ def fiducial(seed: int, options: Options, shape: tuple[int, int], pixel_um: floa
     albedo = finish.albedo * np.exp(
         np.float32(finish.albedo_spread) * field - np.float32(finish.albedo_spread**2 / 2)
     )
-    albedo = np.clip(albedo, 0.02, 0.95).astype(np.float32)
+    albedo = np.clip(film * albedo, 0.02, 0.95).astype(np.float32)
     specular: FloatImage | None = None
     roughness: FloatImage | None = None
     if finish.specular > 0:
         # Where corrosion took the silver, the diffuse part grows and the mirror fades.
         specular = np.clip(
-            finish.specular * np.exp(-np.float32(finish.albedo_spread) * field), 0.0, 0.95
+            film * finish.specular * np.exp(-np.float32(finish.albedo_spread) * field), 0.0, 0.95
         ).astype(np.float32)
         roughness = np.full(shape, finish.roughness, dtype=np.float32)
     return Scene("fiducial", pixel_um, height_um, albedo, specular, roughness)
