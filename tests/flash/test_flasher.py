@@ -247,6 +247,19 @@ def test_rights_are_missing(image):
     assert not board.writes
 
 
+def test_rights_that_come_a_moment_after_the_device(image):
+    board = Teensy(mode="bootloader", forbidden=True)
+    desk = Desk(board)
+    plain = desk.sleep
+
+    def sleep(seconds):
+        plain(seconds)
+        board.forbidden = desk.time.now < 1001
+
+    desk.sleep = sleep
+    assert flash(desk, image).confirmed
+
+
 def test_rights_to_the_serial_port_are_missing(image):
     board = Teensy().install(OLD)
     desk = Desk(board)

@@ -23,6 +23,9 @@ PLAIN_WIDTH = 120
 """Columns of tables that go to a file or pipe."""
 
 
+PAUSE_NOTICE = "Pausing after the current frame; Ctrl-C again turns the light off and stops."
+
+
 class Session:
     """One run of a subcommand; made by :func:`session`."""
 
@@ -51,19 +54,22 @@ class Session:
 
 
 @contextmanager
-def session(progress: ProgressMode, *, as_json: bool) -> Iterator[Session]:
+def session(
+    progress: ProgressMode, *, as_json: bool, notice: str = PAUSE_NOTICE
+) -> Iterator[Session]:
     """Progress display and Ctrl-C handling around the body of a subcommand.
 
     The first Ctrl-C (or a polite end, SIGTERM) asks the job to pause after the current frame; the second
-    raises KeyboardInterrupt, on which whoever holds the instrument turns the light off.
+    raises KeyboardInterrupt, on which whoever holds the instrument turns the light off.  ``notice`` is what the
+    first Ctrl-C tells the user.
     """
     job = Job()
-    with progress_display(progress, job), _interrupts(job):
+    with progress_display(progress, job), _interrupts(job, notice):
         yield Session(job, as_json=as_json)
 
 
 @contextmanager
-def _interrupts(job: Job) -> Iterator[None]:
+def _interrupts(job: Job, notice: str) -> Iterator[None]:
     if threading.current_thread() is not threading.main_thread():
         yield
         return
@@ -74,9 +80,7 @@ def _interrupts(job: Job) -> Iterator[None]:
         job.cancel()
         if number == signal.SIGINT:
             # write(2) only: rich's locks may be held by the very code that was interrupted
-            sys.stderr.write(
-                "\nPausing after the current frame; Ctrl-C again turns the light off and stops.\n"
-            )
+            sys.stderr.write(f"\n{notice}\n")
 
     wanted = [signal.SIGINT, signal.SIGTERM]
     previous = {number: signal.signal(number, on_signal) for number in wanted}

@@ -39,6 +39,7 @@ POLL_S = 0.25
 BUTTON_S = 30.0
 """Time to find and press the button on the board."""
 _REBOOT_S = 5.0
+_RIGHTS_S = 2.0
 _CONFIRM_S = 10.0
 _ATTEMPTS = 2
 """Writing starts over, from the erasing block 0, when the bootloader stops taking blocks."""
@@ -241,13 +242,7 @@ class Flasher:
         """Write all blocks and restart; returns (retries, attempts)."""
         halfkay = HalfKay(board.device, self._around.sleep, self._around.monotonic)
         try:
-            try:
-                halfkay.open()
-            except BoardGoneError as error:
-                raise FlashError(
-                    "The board left its bootloader before anything was written.",
-                    hint="Press its button, then repeat the command.",
-                ) from error
+            self._open(halfkay)
             _check_model(halfkay.model())
             for attempt in range(1, _ATTEMPTS + 1):
                 try:
@@ -265,6 +260,22 @@ class Flasher:
         finally:
             halfkay.close()
         return halfkay.retries, attempt
+
+    def _open(self, halfkay: HalfKay) -> None:
+        """Open with some patience: a device that has just appeared gets its rights a moment later."""
+        deadline = self._around.monotonic() + _RIGHTS_S
+        while True:
+            try:
+                return halfkay.open()
+            except UsbAccessError:
+                if self._around.monotonic() >= deadline:
+                    raise
+            except BoardGoneError as error:
+                raise FlashError(
+                    "The board left its bootloader before anything was written.",
+                    hint="Press its button, then repeat the command.",
+                ) from error
+            self._around.sleep(POLL_S)
 
     def _write_blocks(self, image: FirmwareImage, halfkay: HalfKay) -> None:
         blocks = image.blocks

@@ -15,6 +15,8 @@ from reliefscope.cli.session import Session, session
 if TYPE_CHECKING:
     from reliefscope.flash import Board, FirmwareImage, FlashReport
 
+_NOTICE = "Writing is not left half done; Ctrl-C again stops at once, and the board then has to be flashed again."
+
 
 def flash(
     firmware: Annotated[
@@ -57,7 +59,7 @@ def flash(
     The image is checked before the board is touched; the board's settings are kept. A board whose flashing
     broke off is mended by pressing its button and repeating the command.
     """
-    with session(progress, as_json=as_json) as this:
+    with session(progress, as_json=as_json, notice=_NOTICE) as this:
         from reliefscope.flash import FirmwareImage, Flasher, newest_image
 
         flasher = Flasher(job=this.job)
