@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 import logging
-import random
 import threading
 import time
 from collections.abc import Callable, Iterator, Mapping
@@ -17,19 +16,21 @@ import numpy as np
 from reliefscope.acquisition import acquire as acquire_run
 from reliefscope.acquisition import resume as resume_run
 from reliefscope.camera import offers_camera, open_camera
-from reliefscope.dataset.writer import PARTIAL_SUFFIX, partial_path
-from reliefscope.device import Device, ExposureEvent, FaultEvent, SequenceEvent, SequenceNews, Step
-from reliefscope.device.sequence import SequenceTiming, sequence_duration_s
+from reliefscope.device import Device, Step
 from reliefscope.errors import (
     CameraError,
-    DeviceError,
     InvalidInputError,
-    OutputExistsError,
     ReliefscopeError,
 )
 from reliefscope.jobs import Job
 from reliefscope.microscope.instruments import Instrument, resolve_instrument
 from reliefscope.microscope.places import fresh_path
+from reliefscope.microscope.sequences import (
+    expose_once,
+    resumable,
+    summarise_plan,
+    watched,
+)
 from reliefscope.microscope.stored import StoredRun
 from reliefscope.models.apertures import GLASS_SHAPE, disc
 from reliefscope.models.calibration import Calibration
@@ -37,7 +38,7 @@ from reliefscope.models.camera import Camera, CameraInfo, CameraSettings, Frame
 from reliefscope.models.instrument import InstrumentProfile
 from reliefscope.models.plan import Aperture, Plan, default_plan
 from reliefscope.protocol.messages import SLOT_NONE, FaultReason, HelloReply
-from reliefscope.units import US_PER_S, BoolImage, format_bytes, format_duration
+from reliefscope.units import US_PER_S, BoolImage
 
 logger = logging.getLogger(__name__)
 
@@ -320,34 +321,13 @@ class Microscope:
             camera.configure(CameraSettings(exposure_us=exposure, trigger=True))
             camera.arm()
             try:
-                frame = self._expose(camera, step)
+                frame = expose_once(self.device, camera, step)
             finally:
                 camera.disarm()
             if self._levels:
                 self.device.select_light(MANUAL_SLOT)
                 self._note_lit()
         return frame
-
-    def _expose(self, camera: Camera, step: Step) -> Frame:
-        self.device.load_steps([step])
-        timing = SequenceTiming()
-        self.device.start(random.randrange(1, 1 << 32), timing=timing)
-        wait_s = sequence_duration_s([step], timing) + 5.0
-        while True:
-            event = self.device.events(wait_s)
-            if isinstance(event, FaultEvent):
-                raise DeviceError(
-                    f"The device stopped: {event.reason.description}",
-                    hint=f"Likely cause: {event.reason.cause} Next: {event.reason.next_step}",
-                )
-            if isinstance(event, ExposureEvent):
-                frame = camera.next_frame(wait_s)
-            elif isinstance(event, SequenceEvent) and event.news is SequenceNews.FINISHED:
-                return frame
-            elif isinstance(event, SequenceEvent) and event.news is SequenceNews.ABORTED:
-                raise DeviceError(
-                    "The exposure was ended before it was made.", hint="Take it again."
-                )
 
     # Runs -------------------------------------------------------------------------------------
 
@@ -357,23 +337,7 @@ class Microscope:
 
     def plan_summary(self, plan: Plan) -> dict[str, Any]:
         """What a plan takes, for people and for ``--dry-run --json``."""
-        requests = list(plan.requests())
-        rows, columns = self.profile.shape
-        duration_s = plan.duration_s(1 / self.profile.camera.frames_per_s)
-        size = len(requests) * rows * columns * 2
-        return {
-            "instrument": self.profile.name,
-            "calibration": self.instrument.calibration_from,
-            "views": len(plan.views),
-            "lights": len(plan.lights),
-            "images": len(requests),
-            "exposures": sum(request.accumulate for request in requests),
-            "frame": f"{columns} x {rows} px",
-            "exposure_ms": plan.exposure_us / 1000,
-            "settle_ms": plan.settle_ms,
-            "duration": f"about {format_duration(duration_s)}",
-            "disk": f"up to {format_bytes(size)}",
-        }
+        return summarise_plan(plan, self.instrument)
 
     def acquire(
         self,
@@ -439,12 +403,12 @@ class Microscope:
 
     def _watched(self, on_frame: Callable[[Frame], None] | None) -> Camera:
         camera = self._need_camera()
-        return camera if on_frame is None else _WatchedCamera(camera, on_frame)
+        return camera if on_frame is None else watched(camera, on_frame)
 
     @contextmanager
     def _sequence(self, run: Path) -> Iterator[None]:
         """Around an acquisition: light off and glass shut before and after, however it ends."""
-        with self._camera_lock, _resumable(run):
+        with self._camera_lock, resumable(run):
             self.all_off()
             self.shut()
             try:
@@ -453,51 +417,3 @@ class Microscope:
                 with suppress(ReliefscopeError):
                     self.all_off()
                     self.shut()
-
-
-@contextmanager
-def _resumable(run: Path) -> Iterator[None]:
-    """Tell how to go on where an acquisition that had begun ends early."""
-    partial = run if run.name.endswith(PARTIAL_SUFFIX) else partial_path(run)
-    try:
-        yield
-    except OutputExistsError:
-        raise
-    except ReliefscopeError as error:
-        if partial.is_dir() and "--resume" not in error.hint:
-            advice = f"Go on with: `reliefscope acquire --resume {partial}`."
-            error.hint = f"{error.hint}\n{advice}" if error.hint else advice
-        raise
-
-
-class _WatchedCamera:
-    """A camera whose frames somebody else sees as well."""
-
-    def __init__(self, camera: Camera, on_frame: Callable[[Frame], None]) -> None:
-        self._camera = camera
-        self._on_frame = on_frame
-
-    @property
-    def info(self) -> CameraInfo:
-        return self._camera.info
-
-    @property
-    def dropped(self) -> int:
-        return self._camera.dropped
-
-    def configure(self, settings: CameraSettings) -> CameraSettings:
-        return self._camera.configure(settings)
-
-    def arm(self) -> None:
-        self._camera.arm()
-
-    def next_frame(self, timeout_s: float) -> Frame:
-        frame = self._camera.next_frame(timeout_s)
-        self._on_frame(frame)
-        return frame
-
-    def disarm(self) -> None:
-        self._camera.disarm()
-
-    def close(self) -> None:
-        self._camera.close()
