@@ -16,6 +16,7 @@ from __future__ import annotations
 from dataclasses import dataclass
 from typing import Any
 
+import numba
 import numpy as np
 from numpy.typing import NDArray
 
@@ -25,6 +26,8 @@ from reliefscope.units import FloatImage
 _COARSEST = 30
 """Pixels at which a level is smoothed to convergence instead of coarsened further."""
 _COARSEST_SWEEPS = 16
+_SHARED = 40_000
+"""Pixels from which a level is worth the threads: on small ones they wait for each other longer than they work."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -81,20 +84,31 @@ class Multigrid:
     def cycle(self, residual: NDArray[np.float64], out: NDArray[np.float64]) -> None:
         """Write an approximate solution for the right-hand side ``residual`` (H, W) to ``out`` (H, W)."""
         levels = self._levels
+        threads = numba.get_num_threads()
+        try:
+            self._down_and_up(levels, residual, threads)
+        finally:
+            numba.set_num_threads(threads)
+        out[...] = levels[0].solution
+
+    def _down_and_up(
+        self, levels: list[_Level], residual: NDArray[np.float64], threads: int
+    ) -> None:
         levels[0].right[...] = residual
         for level, coarser in zip(levels, [*levels[1:], None], strict=True):
             level.solution.fill(0.0)
+            numba.set_num_threads(threads if level.solution.size >= _SHARED else 1)
             self._smooth(level, range(4))
             if level.weights is not None and coarser is not None:
                 kernels.residual(level.couplings, level.right, level.solution, level.residual)
                 kernels.restrict(level.weights, level.residual, coarser.right)
         coarser = None
         for level in reversed(levels):
+            numba.set_num_threads(threads if level.solution.size >= _SHARED else 1)
             if level.weights is not None and coarser is not None:
                 kernels.prolong(level.weights, coarser.solution, level.solution)
             self._smooth(level, range(3, -1, -1))
             coarser = level
-        out[...] = levels[0].solution
 
     def _smooth(self, level: _Level, colours: range) -> None:
         sweeps = self._sweeps if level.weights is not None else _COARSEST_SWEEPS

@@ -39,7 +39,7 @@ def from_springs(
             couplings[SOUTH_WEST, row, column] = 0.0
 
 
-@njit(cache=True, inline="always")
+@njit(cache=True)
 def _joint(a: FloatImage, row: int, column: int, dy: int, dx: int) -> np.float32:
     """Coupling between (row, column) and (row + dy, column + dx); zero beyond the border."""
     height, width = a.shape[1:]
@@ -179,7 +179,7 @@ def smooth(a: FloatImage, right: FloatImage, z: FloatImage, colour: int) -> None
                 z[row, column] = (right[row, column] + _pull(a, z, row, column)) / diagonal
 
 
-@njit(cache=True, inline="always")
+@njit(cache=True)
 def _pull(a: FloatImage, z: FloatImage, row: int, column: int) -> np.float32:
     """Sum of coupling times height over the eight neighbours."""
     height, width = z.shape
