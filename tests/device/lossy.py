@@ -17,6 +17,7 @@ LATENCY_US = 500
 USUAL_DELAY_US, LONGEST_DELAY_US = 200_000, 6_000_000
 _BANK, _VALUES_AT, _VALUES = 256, 5, 20
 _CRC_AT = _VALUES_AT + _VALUES
+_CONTRAST = 0x81
 
 
 @dataclass(frozen=True)
@@ -154,7 +155,7 @@ class LossyPort:
         self._run_to(self.now_us + round(seconds * 1e6))
 
     def executed(self):
-        """(generation, serial number) of every execution of set_settings so far."""
+        """(generation, serial number) of everything that set_settings stored so far."""
         self.log.add(self.firmware.trace())
         return self.log.executed
 
@@ -173,24 +174,29 @@ class LossyPort:
 
 
 class ExecutionLog:
-    """Replays the trace's writes to the non-volatile memory.
+    """What the trace tells of executions of set_settings.
 
-    Every execution of set_settings stores one more generation into one of two banks, so that none can hide: not even
-    one that stores the values that are there already.
+    Its writes to the non-volatile memory tell which settings were stored, in what order.  The same settings again are
+    not written again, but every execution sets the glass up anew: ``set_ups`` counts the contrast commands on SPI, the
+    one after power-on not among them.  It can only be too low, where two follow within one transfer.
     """
 
     def __init__(self):
         self.executed = []
+        self.set_ups = -1
         self._memory = bytearray(b"\xff" * 2048)
         self._generation = 0
 
     def add(self, records):
         for record in records:
             assert record.kind is not TraceKind.OVERFLOW
+            if record.kind is TraceKind.SPI and record.argument == 0:
+                self.set_ups += _CONTRAST in record.payload
             if record.kind is TraceKind.NONVOLATILE:
                 address = int.from_bytes(record.payload[:2], "little")
                 self._memory[address] = record.payload[2]
-                self._look(address // _BANK * _BANK)
+                if address < 2 * _BANK:
+                    self._look(address // _BANK * _BANK)
 
     def _look(self, at):
         bank = self._memory[at : at + _CRC_AT + 4]
