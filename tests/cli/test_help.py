@@ -6,6 +6,9 @@ import sys
 
 import pytest
 
+from reliefscope import __version__
+from reliefscope.cli import main
+
 COMMANDS = [
     "demo",
     "acquire",
@@ -67,3 +70,8 @@ def test_without_a_command_the_help_is_shown_and_the_status_says_so() -> None:
     text, found = help_of([])
     assert found["status"] == 2
     assert "Usage" in text
+
+
+def test_version(capsys: pytest.CaptureFixture[str]) -> None:
+    assert main(["--version"]) == 0
+    assert capsys.readouterr().out == f"reliefscope {__version__}\n"

@@ -48,6 +48,7 @@ def test_demo_prints_one_object_with_the_table(answer: dict[str, object]) -> Non
         assert row["method"] == "paper"
         assert 0 < row["mae_plane_um"] < 100
         assert row["mae_offset_um"] <= row["mae_raw_um"] + 1e-9
+    assert answer["whole_fiducial"] is False
     stages = answer["stages_s"]
     assert isinstance(stages, dict)
     assert {"acquire", "match", "pictures", "evaluate"} <= stages.keys()

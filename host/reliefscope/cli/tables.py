@@ -75,6 +75,10 @@ def show_table(console: Console, evaluation: Evaluation) -> None:
             if row["method"] == method:
                 _add_errors(table, row, evaluation.paper_um.get(row["section"]))
         console.print(table)
+    if not evaluation.whole:
+        console.print(
+            "[yellow]The frames show only a part of the fiducial: the paper's figures are for the whole.[/]"
+        )
     console.print(
         "[dim]Every pixel counts, a missing height as 100 µm. The paper does not tell its alignment, "
         "nor how it counted the floors, which lie in shadow.[/]"

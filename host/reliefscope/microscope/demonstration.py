@@ -50,6 +50,7 @@ class DemoResult:
             "pictures": [str(picture) for picture in self.outcome.pictures],
             "table": list(self.table),
             "paper_table_um": dict(PAPER_TABLE_I),
+            "whole_fiducial": self.evaluation is not None and self.evaluation.whole,
             "stages_s": {stage: round(spent, 3) for stage, spent in self.stages_s.items()},
             "total_s": round(self.total_s, 3),
         }

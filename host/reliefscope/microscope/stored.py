@@ -66,6 +66,8 @@ class Evaluation:
     table: Sequence[TableRow]
     paper_um: Mapping[str, float]
     """What the paper reports for a section (Table I, average)."""
+    whole: bool
+    """Whether the frames show the whole fiducial; only then do the figures compare with the paper's."""
 
     def as_dict(self) -> dict[str, Any]:
         """For ``--json``."""
@@ -73,6 +75,7 @@ class Evaluation:
             "run": str(self.run),
             "table": list(self.table),
             "paper_table_um": dict(self.paper_um),
+            "whole_fiducial": self.whole,
         }
 
 
@@ -321,7 +324,8 @@ def evaluate_run(
         table += evaluate_fiducial(
             result.height_um, result.pixel_um, each, fiducial, sections=shown, job=job
         )
-    return Evaluation(stored.path, table, PAPER_TABLE_I)
+    whole = min(stored.data.shape) * stored.data.pixel_um >= fiducial.size_um
+    return Evaluation(stored.path, table, PAPER_TABLE_I, whole)
 
 
 def visible_sections(
