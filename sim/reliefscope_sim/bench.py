@@ -7,9 +7,11 @@ past what is waited for.  One lock guards all of it; pictures are rendered outsi
 
 from __future__ import annotations
 
+import logging
 import threading
 import time
 from collections.abc import Callable, Iterable
+from pathlib import Path
 from typing import ClassVar
 
 from reliefscope.errors import CameraError
@@ -21,9 +23,13 @@ from reliefscope_sim.darkroom import Darkroom
 from reliefscope_sim.electronics import Electronics
 from reliefscope_sim.firmware import NEVER_US
 from reliefscope_sim.link import BYTE_US, WRITE_AHEAD, Cable
+from reliefscope_sim.recording import Recording
+from reliefscope_sim.replay import Player
 from reliefscope_sim.shutter import Exposure, Shutter
 from reliefscope_sim.trace import InputLine
 from reliefscope_sim.url import SimUrl
+
+logger = logging.getLogger(__name__)
 
 POLL_US = 100
 """Time that looking for bytes or frames without waiting takes; a host that polls lets the clock run too."""
@@ -90,11 +96,22 @@ class Bench:
         with cls._registry_lock:
             bench = cls._registry.get(wanted.name)
             if bench is None:
-                bench = cls._registry[wanted.name] = cls(wanted)
+                bench = cls._registry[wanted.name] = cls._switch_on(wanted)
             else:
                 bench.url.check_agrees(wanted)
             bench._users += 1
             return bench
+
+    @classmethod
+    def _switch_on(cls, url: SimUrl) -> Bench:
+        """A new bench; one that replays a recording stands where the recording ends."""
+        if url.replay is None:
+            return cls(url)
+        recording = Recording.load(Path(url.replay))
+        bench = cls(url, recording.nonces)
+        report = Player(bench, recording, pictures=False).play()
+        logger.info("replayed %s: %s", url.replay, report)
+        return bench
 
     @classmethod
     def in_use(cls) -> list[str]:
@@ -108,9 +125,14 @@ class Bench:
             self._users -= 1
             if self._users == 0:
                 del self._registry[self.url.name]
-                self._off = True
-                self._board.close()
-                self._changed.notify_all()
+                self.switch_off()
+
+    def switch_off(self) -> None:
+        """End of it: every wait ends, nothing else may be called."""
+        with self._changed:
+            self._off = True
+            self._board.close()
+            self._changed.notify_all()
 
     # --- time ---
 
@@ -141,6 +163,11 @@ class Bench:
                     self._changed.wait(_NAP_S)
                 else:
                     self._step(deadline_us)
+
+    def run_to(self, time_us: int) -> None:
+        """Let the clock run to a moment; one that is past is ignored."""
+        if time_us > self.time_us:
+            self.wait(lambda: False, time_us - self.time_us)
 
     def poll(self) -> None:
         """The host looked without waiting."""
@@ -244,6 +271,13 @@ class Bench:
             self._spend(len(data) * BYTE_US)
             return data
 
+    def take_received(self) -> bytes:
+        """Everything that has come from the device; taking it lets no time go by."""
+        with self._changed:
+            data = bytes(self.cable.received)
+            self.cable.received.clear()
+            return data
+
     def discard_input(self) -> None:
         """Forget what the host has not read."""
         with self._changed:
@@ -261,8 +295,8 @@ class Bench:
 
     # --- the camera's face ---
 
-    def open_camera(self) -> None:
-        """Take the camera; the first time, the scene is set up."""
+    def open_camera(self, *, set_up: bool = True) -> None:
+        """Take the camera; the first time, the scene is set up, unless nobody will look."""
         with self._changed:
             if self._camera_open:
                 raise CameraBusyError(
@@ -271,7 +305,8 @@ class Bench:
                 )
             self._camera_open = True
         try:
-            self.darkroom.set_up()
+            if set_up:
+                self.darkroom.set_up()
         except BaseException:
             self.close_camera()
             raise
@@ -306,6 +341,11 @@ class Bench:
             self._catch_up()
             self.shutter.disarm()
             self._drive_inputs()
+
+    def take_exposure(self) -> Exposure | None:
+        """The next frame if it has arrived, not rendered yet; asking lets no time go by."""
+        with self._changed:
+            return self.shutter.fetch()
 
     def next_exposure(self, timeout_us: int) -> Exposure | None:
         """The next frame to have arrived, not rendered yet; None if none came in time."""

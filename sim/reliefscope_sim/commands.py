@@ -15,7 +15,7 @@ from typing import TYPE_CHECKING, Annotated
 
 import typer
 
-from reliefscope.errors import InvalidInputError
+from reliefscope.errors import ExitCode, InvalidInputError
 
 if TYPE_CHECKING:
     from reliefscope.models.base import StrictModel
@@ -92,6 +92,42 @@ def serve(
             typer.echo(f"Next:   {command}\nCtrl-C ends it.")
         while not stop.wait(1.0):
             pass
+
+
+@app.command("replay")
+def replay(
+    file: Annotated[
+        Path, typer.Argument(metavar="FILE", help="Bundle, or the wire-*.jsonl of a run.")
+    ],
+    pictures: Annotated[
+        bool,
+        typer.Option("--pictures/--no-pictures", help="Compare every picture, or timing alone."),
+    ] = True,
+    as_json: Annotated[
+        bool, typer.Option("--json", help="Print the outcome as one JSON object.")
+    ] = False,
+) -> None:
+    """Repeat a recorded session on the simulated instrument, and compare.
+
+    The same bytes go to the device at the same times, with the same seed and faults; its answers and pictures
+    have to be those that were recorded. Ends with a status of its own where they are not.
+    """
+    from reliefscope_sim.replay import play_file
+
+    report = play_file(file, pictures=pictures)
+    if as_json:
+        content = {"schema_version": JSON_SCHEMA_VERSION, **report.as_dict()}
+        typer.echo(json.dumps(content, indent=2))
+    else:
+        typer.echo(
+            f"{report.sent} requests sent in {report.duration_s:.3f} s of the instrument's time.\n"
+            f"{report.same_answers} of {report.answers} frames from the device came again, "
+            f"{report.same_pictures} of {report.pictures} pictures"
+            f"{'' if report.pictures_compared else ' (pixels not compared)'}."
+        )
+        typer.echo(report.difference or "Everything was the same.")
+    if not report.same:
+        raise typer.Exit(ExitCode.VERIFICATION)
 
 
 def _save(url: str, folder: Path) -> dict[str, str]:

@@ -44,9 +44,9 @@ class Electronics:
         self.display = DisplayController(url.mounting, url.seed)
         self.glass = Glass(profile.glass, temperature_c=url.temperature_c)
         self.leds = LedLines(profile.dome.count, droop=url.led_droop)
-        self.serial_number = f"SIM-{url.name}"[:16]
+        self.serial_number = f"SIM-{url.identity}"[:16]
         self.in_bootloader = False
-        self._name = f"{url.name} {url.seed}"
+        self._name = f"{url.identity} {url.seed}"
         self._temperature_c = url.temperature_c
         self._faults = faults
         self._on_pulse = on_pulse

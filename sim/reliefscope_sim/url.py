@@ -12,6 +12,7 @@ import difflib
 import math
 import re
 from dataclasses import dataclass, field
+from pathlib import Path
 from typing import Literal, cast
 from urllib.parse import parse_qsl, urlsplit
 
@@ -22,6 +23,7 @@ from reliefscope_sim.clock import TimeMode
 from reliefscope_sim.display import Mounting
 from reliefscope_sim.faults import Faults
 from reliefscope_sim.liquid_crystal import ROOM_C, TEMPERATURE_RANGE_C
+from reliefscope_sim.recording import Recording
 
 SCHEME = "sim"
 DEFAULT_PROFILE = "benchtop"
@@ -42,6 +44,7 @@ KEYS = {
     "temperature": "of the glass in degrees Celsius (default: 25)",
     "led_droop": "part of an LED's light that is lost when it is warm (default: 0)",
     "bits": "depth of the camera's pixels, 8, 10 or 12 (default: the profile's)",
+    "replay": "bundle or wire log that is played when the instrument is switched on",
     "fault": "what goes wrong, as in fault=link_loss:0.05,camera_drop:3",
 }
 
@@ -51,6 +54,8 @@ class SimUrl:
     """A parsed address.  ``given`` holds the options as they were written, for comparing two addresses."""
 
     name: str
+    identity: str = ""
+    """What the device calls itself: the name, or that of the recording that is replayed."""
     scene: str = "fiducial"
     scene_options: tuple[tuple[str, str], ...] = ()
     seed: int = 1
@@ -66,6 +71,7 @@ class SimUrl:
     temperature_c: float = ROOM_C
     led_droop: float = 0.0
     bits: Literal[8, 10, 12] | None = None
+    replay: str | None = None
     faults: Faults = field(default_factory=Faults)
     given: tuple[tuple[str, str], ...] = ()
 
@@ -78,6 +84,8 @@ class SimUrl:
         InvalidInputError
             If it is no address of a simulated instrument, or an option is unknown, doubled or malformed.
         """
+        if match := re.fullmatch(rf"{SCHEME}://replay=([^&?]+)(?:[&?](.*))?", url):
+            url = f"{SCHEME}://replay?replay={match[1]}&{match[2] or ''}".rstrip("&")
         parts = urlsplit(url)
         name = parts.netloc
         if parts.scheme.lower() != SCHEME or not re.fullmatch(r"[\w.-]+", name) or parts.path:
@@ -101,7 +109,22 @@ class SimUrl:
         return cls._from_options(name, options)
 
     @classmethod
-    def _from_options(cls, name: str, options: dict[str, str]) -> SimUrl:
+    def of_recording(cls, path: str) -> SimUrl:
+        """The instrument that a bundle or wire log was recorded from, without playing it."""
+        return cls._from_options("replay", {"replay": path})
+
+    @classmethod
+    def _from_options(cls, name: str, given: dict[str, str]) -> SimUrl:
+        recorded = None
+        if "replay" in given:
+            device = Recording.load(Path(given["replay"])).device
+            if device.lower().startswith(f"{SCHEME}://"):
+                recorded = cls.parse(device)
+        identity = recorded.identity if recorded else name
+        # What is replayed runs as fast as it can, however it was recorded.
+        options = {**dict(recorded.given if recorded else ()), "time": "virtual", **given}
+        if recorded is None and "time" not in given:
+            del options["time"]
         scene_options = {
             key.removeprefix("scene."): value
             for key, value in options.items()
@@ -109,13 +132,15 @@ class SimUrl:
         }
         if "finish" in options:
             scene_options["finish"] = options["finish"]
-        default_profile = name if name in builtin_profiles() else DEFAULT_PROFILE
+        default_profile = identity if identity in builtin_profiles() else DEFAULT_PROFILE
         glass = _choice("glass", options, ("E", "S")) if "glass" in options else None
         as_built = _whole("as_built", options["as_built"]) if "as_built" in options else None
         bits = int(_choice("bits", options, ("8", "10", "12"))) if "bits" in options else None
         seed = _whole("seed", options.get("seed", "1"))
         return cls(
             name=name,
+            identity=identity,
+            replay=options.get("replay"),
             scene=options.get("scene", "fiducial"),
             scene_options=tuple(sorted(scene_options.items())),
             seed=seed,
@@ -136,7 +161,7 @@ class SimUrl:
             led_droop=_within("led_droop", options, (0.0, 0.5), 0.0),
             bits=cast(Literal[8, 10, 12] | None, bits),
             faults=Faults.parse(options.get("fault", ""), seed),
-            given=tuple(sorted(options.items())),
+            given=tuple(sorted(given.items())),
         )
 
     def load_profile(self) -> InstrumentProfile:

@@ -21,7 +21,7 @@ def test_every_option():
         "&time=real&glass=E&mounting=top_view&fault=camera_drop:3&fault=link_loss:0.5"
         "&calibration=nominal&profile=benchtop&contrast=12&temperature=-5&led_droop=0.05&bits=8"
     )
-    assert {key for key, _ in url.given} - {"scene.tilt_deg"} == set(KEYS)
+    assert {key for key, _ in url.given} - {"scene.tilt_deg"} == set(KEYS) - {"replay"}
     assert (url.scene, url.seed, url.as_built, url.size) == ("plane", 5, 9, (96, 72))
     assert dict(url.scene_options) == {"tilt_deg": "10", "finish": "dull"}
     assert (url.time, url.mounting) == ("real", Mounting.TOP_VIEW)
@@ -64,6 +64,8 @@ def test_positive_glass_has_less_contrast_than_negative():
         ("sim://benchtop?fault=disk_full:3", "made by the system"),
         ("sim://benchtop?temperature=90", "from -30 to 70"),
         ("sim://benchtop?contrast=x", "from 1.1"),
+        ("sim://benchtop?replay=/nowhere/run.bundle.zip", "no recording"),
+        ("sim://replay=/nowhere/run.bundle.zip", "no recording"),
         ("sim://benchtop?bits=9", "8, 10, 12"),
     ],
 )

@@ -22,6 +22,7 @@ from reliefscope.acquisition.preflight import (
     frame_format,
 )
 from reliefscope.acquisition.storing import DiskThread
+from reliefscope.camera import RecordedCamera
 from reliefscope.dataset import (
     AcquiredSpec,
     FrameFormat,
@@ -31,6 +32,7 @@ from reliefscope.dataset import (
     RunWriter,
     Session,
 )
+from reliefscope.dataset.durable import disk_error
 from reliefscope.dataset.writer import check_output, host_identity, now, software_name
 from reliefscope.device import Device, SequenceState, SequenceTiming
 from reliefscope.errors import (
@@ -49,6 +51,8 @@ from reliefscope.units import US_PER_S, RawImage, format_duration
 
 log = logging.getLogger(__name__)
 
+WIRE_LOGS = "wire-*.jsonl"
+"""Files in a run's folder with what passed between host and instrument, one for each session."""
 DEADLINE_FACTOR, DEADLINE_SPARE_S = 2.0, 60.0
 """The device gives a sequence this much longer than planned: it also waits while the host is behind."""
 
@@ -86,6 +90,7 @@ def acquire(
     check_plan(plan, profile, calibration)
     check_camera(camera.info, profile)
     check_device(device, plan)
+    camera = RecordedCamera(camera, device.log.note_camera)
     spec = RunSpec(
         created=now(),
         software=software_name(),
@@ -137,6 +142,7 @@ def resume(run: Path, device: Device, camera: Camera, job: Job | None = None) ->
             return Run.open(writer.finish(job))
         check_camera(camera.info, acquired.profile)
         check_device(device, acquired.plan)
+        camera = RecordedCamera(camera, device.log.note_camera)
         session = _session(device, camera.info)
         _check_same_instrument(acquired.sessions[0], session)
         settings = configure_camera(camera, acquired.plan)
@@ -168,8 +174,9 @@ def _take(writer: RunWriter, device: Device, camera: Camera, job: Job) -> Run:
     total = sum(batch.exposures for batch in batches)
     times_s = [_step_times_s(batch, timing, readout_s) for batch in batches]
     left_s = _time_left(times_s)
-    # The light goes off before what is still in memory is stored.
+    # The light goes off before what is still in memory is stored, and the log has all of it.
     with (
+        _wire_log(device, writer.folder),
         job.stage("acquire", total) as stage,
         DiskThread(writer) as disk,
         _lights_off_afterwards(device, camera),
@@ -303,6 +310,19 @@ def _make_idle(device: Device) -> None:
     if status.fault is not FaultReason.NONE:
         log.warning("the device had stopped itself before: %s", status.fault.description)
         device.clear_fault(status.fault)
+
+
+@contextlib.contextmanager
+def _wire_log(device: Device, folder: Path) -> Iterator[None]:
+    """Keep what passes between host and instrument beside the frames, a file for each session."""
+    number = 1 + len(list(folder.glob(WIRE_LOGS)))
+    path = folder / WIRE_LOGS.replace("*", f"{number:02d}")
+    with contextlib.ExitStack() as files:
+        try:
+            files.enter_context(device.log.written_to(path))
+        except OSError as error:
+            raise disk_error(error, path) from error
+        yield
 
 
 @contextlib.contextmanager

@@ -12,6 +12,7 @@ from collections.abc import Callable
 from importlib.metadata import EntryPoint, entry_points
 from typing import cast
 
+from reliefscope.camera.recorded import RecordedCamera
 from reliefscope.errors import CameraError, InvalidInputError
 from reliefscope.models.camera import (
     Camera,
@@ -31,6 +32,7 @@ __all__ = [
     "CameraSettings",
     "CameraTimeout",
     "Frame",
+    "RecordedCamera",
     "camera_schemes",
     "offers_camera",
     "open_camera",

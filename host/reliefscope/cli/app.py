@@ -17,6 +17,7 @@ import typer
 from reliefscope import __version__
 from reliefscope.cli.commands import (
     acquire,
+    bundle,
     dataset,
     demo,
     diagnose,
@@ -46,6 +47,7 @@ app.command("reconstruct", rich_help_panel="Process")(reconstruct.reconstruct)
 app.command("evaluate", rich_help_panel="Process")(evaluate.evaluate)
 app.command("info", rich_help_panel="Look after runs")(dataset.info)
 app.command("verify", rich_help_panel="Look after runs")(dataset.verify)
+app.command("bundle", rich_help_panel="Look after runs")(bundle.bundle)
 app.command("flash", rich_help_panel="Look after the instrument")(flash.flash)
 app.command("link-test", rich_help_panel="Look after the instrument")(link_test.link_test)
 

@@ -130,13 +130,15 @@ class Device:
             Connect to firmware of another version as well; then only :attr:`identity` and
             :meth:`enter_bootloader` work.
         wire_log:
-            File to which every frame is written, one JSON object a line.
+            New file to which every frame is written, one JSON object a line.
 
         Raises
         ------
         DeviceNotFoundError, LockedError, SchemaMismatchError
         """
-        link = Link(open_port(url), url, WireLog(wire_log) if wire_log else None)
+        port = open_port(url)
+        log = WireLog(wire_log, clock_s=getattr(port, "clock_s", None), device=url)
+        link = Link(port, url, log)
         try:
             return cls(link, url, hello_timeout_s=hello_timeout_s, allow_mismatch=allow_mismatch)
         except BaseException:
@@ -182,6 +184,11 @@ class Device:
             identity.firmware_version,
         )
         return identity
+
+    @property
+    def log(self) -> WireLog:
+        """What passed over the link since it was opened."""
+        return self._exchange.link.log
 
     # -- what it is -------------------------------------------------------------------------------
 

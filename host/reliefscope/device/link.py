@@ -54,14 +54,15 @@ class Link:
     """Sends and receives frames; not thread-safe (the client locks).
 
     ``counters``: frames_sent, frames_received, bytes_sent, bytes_received, and dropped_* by verdict.
-    ``silent_s`` is the time for which nothing came although somebody waited.
+    ``silent_s`` is the time for which nothing came although somebody waited.  ``log`` notes everything, by
+    default in memory alone.
     """
 
     def __init__(self, port: Port, name: str = "", wire_log: WireLog | None = None) -> None:
         self.name = name
         self.silent_s = 0.0
         self._port = port
-        self._log = wire_log
+        self.log = wire_log or WireLog()
         self._reader = FrameReader()
         self._frames: deque[Frame] = deque()
         self._counters: Counter[str] = Counter()
@@ -85,14 +86,13 @@ class Link:
             If the port is gone.
         """
         data = b"\0" + frame.encode()
+        self.log.note("out", frame)
         try:
             self._port.write(data)
         except OSError as error:
             raise self._lost(error) from error
         self._counters["frames_sent"] += 1
         self._counters["bytes_sent"] += len(data)
-        if self._log:
-            self._log.note("out", frame)
 
     def receive(self, deadline: Deadline) -> Frame | None:
         """Next frame, or None after one read (of at most READ_SLICE_S) that completed none.
@@ -103,11 +103,14 @@ class Link:
             If the port is gone.
         """
         if not self._frames:
-            for frame in self._reader.feed(self._read(deadline)):
+            data = self._read(deadline)
+            before = self._reader.dropped.copy()
+            for frame in self._reader.feed(data):
                 self._counters["frames_received"] += 1
                 self._frames.append(frame)
-                if self._log:
-                    self._log.note("in", frame)
+                self.log.note("in", frame)
+            for verdict, count in (self._reader.dropped - before).items():
+                self.log.note_dropped(verdict, count)
         if not self._frames:
             return None
         self.silent_s = 0.0
@@ -145,8 +148,7 @@ class Link:
     def close(self) -> None:
         """Close port and log."""
         self._port.close()
-        if self._log:
-            self._log.close()
+        self.log.close()
 
     def _lost(self, error: OSError) -> LinkLostError:
         logger.debug("link %s lost: %s", self.name, error)

@@ -10,6 +10,7 @@ Example::
     print(outcome.reconstruction.height_um.shape, run.evaluate().table)
 """
 
+from reliefscope.microscope.bundles import bundle_run
 from reliefscope.microscope.demonstration import DemoResult, demo
 from reliefscope.microscope.instruments import Instrument, default_devices, resolve_instrument
 from reliefscope.microscope.live import Microscope
@@ -31,6 +32,7 @@ __all__ = [
     "Microscope",
     "Outcome",
     "StoredRun",
+    "bundle_run",
     "default_devices",
     "demo",
     "evaluate_run",

@@ -27,6 +27,7 @@ class Serial(SerialBase):
     def __init__(self, *args: Any, **kwargs: Any) -> None:
         self._bench: Bench | None = None
         self._cancel_read = False
+        self._seen_us = 0
         super().__init__(*args, **kwargs)
 
     def open(self) -> None:
@@ -62,6 +63,12 @@ class Serial(SerialBase):
         if bench is not None:
             bench.close_port()
             bench.release()
+
+    def clock_s(self) -> float:
+        """The instrument's own time; asking lets no time go by.  Once closed, when that was."""
+        if self._bench is not None:
+            self._seen_us = self._bench.time_us
+        return self._seen_us / US_PER_S
 
     @property
     def in_waiting(self) -> int:
