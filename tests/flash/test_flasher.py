@@ -189,6 +189,22 @@ def test_wish_to_stop_does_not_leave_half_a_board(image):
         flash(Desk(Teensy()), image, job=job)
 
 
+def test_wish_to_stop_before_the_first_block_goes_back_to_the_old_firmware(image):
+    board = Teensy().install(OLD)
+    desk = Desk(board)
+    job = Job()
+    plain = desk.open_device
+
+    def open_device(port):
+        job.cancel()
+        return plain(port)
+
+    desk.open_device = open_device
+    with pytest.raises(Cancelled):
+        flash(desk, image, job=job)
+    assert (board.mode, board.writes) == ("serial", [])
+
+
 def test_other_image_touches_nothing(tmp_path):
     board = Teensy().install(OLD)
     before = bytes(board.flash)

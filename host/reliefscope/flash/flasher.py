@@ -244,6 +244,9 @@ class Flasher:
         try:
             self._open(halfkay)
             _check_model(halfkay.model())
+            if self._job.cancelled:
+                halfkay.restart()  # into the old firmware, which is still there
+            self._job.check()
             for attempt in range(1, _ATTEMPTS + 1):
                 try:
                     self._write_blocks(image, halfkay)
