@@ -93,6 +93,8 @@ Error Commands::handle(const wire::StatusRequest&, wire::StatusReply& reply, Det
 Error Commands::handle(const wire::LimitsRequest&, wire::LimitsReply& reply, Detail&) {
   reply.led_on_time_us = hal_.info().led_on_time_us;
   reply.level_budget = hal_.info().level_budget;
+  reply.led_period_us = hal_.info().led_period_us;
+  reply.led_level_step = hal_.info().led_level_step;
   reply.link_timeout_ms = wire::kLinkTimeoutMs;
   reply.reset_ms = hal_.info().reset_ms;
   return Error::kOk;
@@ -109,6 +111,10 @@ Error Commands::handle(const wire::LoadLightRequest& request, wire::LoadLightRep
     if (i >= info.led_count && request.levels[i] != 0) {
       detail = 1;  // field "levels": this board has no such LED
       return Error::kOutOfRange;
+    }
+    if (request.levels[i] % info.led_level_step != 0) {
+      detail = static_cast<Detail>(i);
+      return Error::kLedLevelStep;
     }
     sum += request.levels[i];
   }
@@ -217,7 +223,8 @@ Error Commands::handle(const wire::CommitStepsRequest& request, wire::CommitStep
   }
   Store& store = instrument_.store();
   const std::uint32_t limit = hal_.info().led_on_time_us - Sequencer::kAfterExposureUs;
-  if (const Error error = store.commit_steps(request.count, request.crc32, limit, detail);
+  if (const Error error = store.commit_steps(request.count, request.crc32, limit,
+                                             hal_.info().led_period_us, detail);
       error != Error::kOk) {
     return error;
   }
@@ -343,6 +350,26 @@ Error Commands::handle(const wire::SetSettingsRequest& request, wire::SetSetting
     return Error::kSettingsWrite;
   }
   reply = copy_settings<wire::SetSettingsReply>(instrument_.settings().get());
+  return Error::kOk;
+}
+
+Error Commands::handle(const wire::GetLedCorrectionRequest&, wire::GetLedCorrectionReply& reply,
+                       Detail&) {
+  reply = instrument_.settings().led_correction();
+  return Error::kOk;
+}
+
+Error Commands::handle(const wire::SetLedCorrectionRequest& request,
+                       wire::SetLedCorrectionReply& reply, Detail&) {
+  if (const Error busy = idle(); busy != Error::kOk) {
+    return busy;
+  }
+  wire::GetLedCorrectionReply values;
+  std::memcpy(values.factors, request.factors, sizeof values.factors);
+  if (!instrument_.set_led_correction(values)) {
+    return Error::kSettingsWrite;
+  }
+  std::memcpy(reply.factors, request.factors, sizeof reply.factors);
   return Error::kOk;
 }
 

@@ -40,6 +40,8 @@ class Commands {
   Error handle(const wire::CountersRequest&, wire::CountersReply&, Detail&);
   Error handle(const wire::GetSettingsRequest&, wire::GetSettingsReply&, Detail&);
   Error handle(const wire::SetSettingsRequest&, wire::SetSettingsReply&, Detail&);
+  Error handle(const wire::GetLedCorrectionRequest&, wire::GetLedCorrectionReply&, Detail&);
+  Error handle(const wire::SetLedCorrectionRequest&, wire::SetLedCorrectionReply&, Detail&);
 
  private:
   // OK, or BUSY while a sequence is under way.

@@ -49,6 +49,9 @@ class Core {
     return wakeup < link_state_.bootloader_at_us ? wakeup : link_state_.bootloader_at_us;
   }
 
+  // A sequence runs or is paused [main].
+  bool sequence_active() const { return instrument_.sequencer().active(); }
+
   void on_timer() { instrument_.on_timer(); }
   void on_input(Input input, bool high) { instrument_.on_input(input, high); }
 

@@ -32,6 +32,10 @@ struct BoardInfo {
   std::uint32_t level_budget;    // largest sum of the levels of all LEDs
   std::uint32_t led_on_time_us;  // longest time that a LED may be lit without a break
   std::uint16_t reset_ms;        // from reset until the port answers
+  // Drivers that dim by pulses: their period, of which lit exposures are whole multiples, so that
+  // nothing beats. 0: constant currents.
+  std::uint32_t led_period_us;
+  std::uint16_t led_level_step;  // levels are multiples of it: 1, or 4095 for drivers on or off
 };
 
 class Hal {
@@ -52,7 +56,8 @@ class Hal {
   virtual void set_pin(Pin pin, bool high) = 0;  // [any]
   virtual bool input_level(Input input) = 0;     // [any]
 
-  // Constant currents of all LEDs, 0 to 4095 each, effective on return [any].
+  // Mean currents of all LEDs, 0 to 4095 each, constant or in pulses of info().led_period_us;
+  // effective on return [any].
   virtual void set_leds(const std::uint16_t* levels, std::size_t count) = 0;
 
   // Bytes received and not yet read; bytes accepted for sending. Neither waits.

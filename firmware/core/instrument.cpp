@@ -20,6 +20,7 @@ void Instrument::begin(wire::ResetCause cause) {
   leds_.begin();
   hal_.set_pin(Pin::kCameraTrigger, false);
   settings_.load();
+  leds_.correct(settings_.led_correction().factors);
   display_.begin(display_config());
   wire::BootedEvent event;
   event.reset_cause = cause;
@@ -154,6 +155,15 @@ bool Instrument::set_settings(const wire::GetSettingsReply& values) {
     return false;
   }
   display_.configure(display_config());
+  return true;
+}
+
+bool Instrument::set_led_correction(const wire::GetLedCorrectionReply& values) {
+  if (!settings_.set(values)) {
+    return false;
+  }
+  const InterruptLock lock(hal_);
+  leds_.correct(values.factors);
   return true;
 }
 

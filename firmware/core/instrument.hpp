@@ -59,6 +59,7 @@ class Instrument {
   bool take_event(Event& event, std::uint32_t& number);
   bool event_pending();
   bool set_settings(const wire::GetSettingsReply& values);
+  bool set_led_correction(const wire::GetLedCorrectionReply& values);
 
   const Settings& settings() const { return settings_; }
   Store& store() { return store_; }

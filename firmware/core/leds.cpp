@@ -1,7 +1,5 @@
 #include "core/leds.hpp"
 
-#include <cstring>
-
 namespace reliefscope {
 
 void Leds::begin() {
@@ -17,6 +15,10 @@ std::uint32_t Leds::level_sum(const std::uint16_t* levels) const {
     sum += levels[i];
   }
   return sum;
+}
+
+void Leds::correct(const std::uint8_t* factors) {
+  std::memcpy(factors_, factors, sizeof factors_);
 }
 
 bool Leds::set(const std::uint16_t* levels) {
@@ -38,7 +40,11 @@ bool Leds::set(const std::uint16_t* levels) {
       deadline_us_ = end < deadline_us_ ? end : deadline_us_;
     }
   }
-  hal_.set_leds(levels_, info.led_count);
+  std::uint16_t currents[kMaxLeds];
+  for (std::size_t i = 0; i < info.led_count; ++i) {
+    currents[i] = static_cast<std::uint16_t>((levels_[i] * (factors_[i] + 1u)) >> 8);
+  }
+  hal_.set_leds(currents, info.led_count);
   return true;
 }
 

@@ -1,13 +1,16 @@
 // The constellation of LEDs: the only way to light one, and so the place of its limits.
 //
-// Levels are constant currents (0 to 4095 of full scale), never pulse-width modulated: nothing can
-// beat with an exposure. A set of levels beyond the current budget is refused whole; a LED lit
-// longer than the limit is reported by overdue(), and the caller turns everything off.
+// Levels are currents, 0 to 4095 of full scale: constant, or pulsed with a period of which every
+// exposure is a whole multiple, so that nothing can beat with it. What reaches the drivers is the
+// level times the LED's correction, which can only lower it. A set of levels beyond the current
+// budget is refused whole; a LED lit longer than the limit is reported by overdue(), and the caller
+// turns everything off.
 // All functions run under the interrupt lock or in an interrupt.
 #pragma once
 
 #include <cstddef>
 #include <cstdint>
+#include <cstring>
 
 #include "core/hal.hpp"
 
@@ -17,13 +20,16 @@ constexpr std::uint16_t kLedLevelMax = 4095;
 
 class Leds {
  public:
-  explicit Leds(Hal& hal) : hal_(hal) {}
+  explicit Leds(Hal& hal) : hal_(hal) { std::memset(factors_, 0xFF, sizeof factors_); }
 
   // Everything off, whatever the drivers showed before; the first thing after reset.
   void begin();
 
   // Sum of info().led_count levels: what the current budget limits.
   std::uint32_t level_sum(const std::uint16_t* levels) const;
+
+  // Factors of all LEDs (see correction in protocol.yml), from the next set() on.
+  void correct(const std::uint8_t* factors);
 
   // Sets all LEDs (info().led_count levels); false, and nothing changed, beyond the budget.
   bool set(const std::uint16_t* levels);
@@ -40,6 +46,7 @@ class Leds {
   bool lit_ = false;
   std::uint64_t deadline_us_ = kNever;
   std::uint16_t levels_[kMaxLeds] = {};
+  std::uint8_t factors_[kMaxLeds];
   std::uint64_t lit_since_us_[kMaxLeds] = {};
 };
 

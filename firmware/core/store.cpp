@@ -84,7 +84,8 @@ void Store::write_step(std::size_t index, const wire::Step& step) {
 }
 
 wire::ErrorCode Store::commit_steps(std::uint16_t count, std::uint32_t crc,
-                                    std::uint32_t on_time_us, std::uint32_t& detail) {
+                                    std::uint32_t on_time_us, std::uint32_t period_us,
+                                    std::uint32_t& detail) {
   step_count_ = 0;
   Crc32 sum;
   bool complete = true;
@@ -108,6 +109,9 @@ wire::ErrorCode Store::commit_steps(std::uint16_t count, std::uint32_t crc,
     }
     if (step.light != kSlotNone && step.exposure_us > on_time_us) {
       return wire::ErrorCode::kOnTimeLimit;
+    }
+    if (step.light != kSlotNone && period_us != 0 && step.exposure_us % period_us != 0) {
+      return wire::ErrorCode::kLedPeriod;
     }
     apertures |= step.aperture == kSlotNone ? 0 : bit(step.aperture);
     lights |= step.light == kSlotNone ? 0 : bit(step.light);

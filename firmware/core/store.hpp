@@ -35,9 +35,10 @@ class Store {
 
   const wire::Step& step(std::size_t index) const { return steps_[index]; }
   void write_step(std::size_t index, const wire::Step& step);
-  // Valid from now on, or why not and the detail of it; on_time_us is the limit of an exposure.
+  // Valid from now on, or why not and the detail of it. on_time_us limits an exposure with light,
+  // and period_us, unless 0, divides it.
   wire::ErrorCode commit_steps(std::uint16_t count, std::uint32_t crc, std::uint32_t on_time_us,
-                               std::uint32_t& detail);
+                               std::uint32_t period_us, std::uint32_t& detail);
   std::uint16_t step_count() const { return step_count_; }  // 0: no table
   std::uint32_t table_hash() const { return step_count_ == 0 ? 0 : table_hash_; }
   std::uint32_t exposures() const { return exposures_; }

@@ -140,7 +140,7 @@ class Hal final : public reliefscope::Hal {
     rx_size += count;
   }
 
-  BoardInfo board{"fake", wire::Capability::kBootloader, 16, 4095 * 8, 2000000, 1};
+  BoardInfo board{"fake", wire::Capability::kBootloader, 16, 4095 * 8, 2000000, 1, 0, 1};
   std::uint64_t now = 0;
   std::uint64_t timer = kNever;
   std::uint64_t spi_free = 0;

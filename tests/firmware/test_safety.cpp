@@ -57,6 +57,48 @@ TEST(safety_leds_take_no_set_beyond_the_budget_whoever_asks) {
   CHECK(leds.level_sum() == hal.board.level_budget);
 }
 
+TEST(safety_a_correction_lowers_the_current_of_its_led) {
+  Device device;
+  wire::SetLedCorrectionRequest request;
+  std::memset(request.factors, 255, sizeof request.factors);
+  request.factors[2] = 127;
+  CHECK(device.code<wire::SetLedCorrectionReply>(request) == ErrorCode::kOk);
+  wire::LoadLightRequest both;
+  both.levels_count = 4;
+  both.levels[2] = 3001;
+  both.levels[3] = 4095;
+  CHECK(device.code<wire::LoadLightReply>(both) == ErrorCode::kOk);
+  wire::SelectLightReply reply;
+  CHECK(device.ask(wire::SelectLightRequest{}, reply).code == ErrorCode::kOk);
+  CHECK(device.hal.leds[2] == 1500 && device.hal.leds[3] == 4095);
+  CHECK(reply.level_sum == 7096);  // what was asked for is what the budget counts
+}
+
+TEST(safety_an_exposure_is_whole_periods_of_pulsing_drivers) {
+  Lit device;
+  device.hal.board.led_period_us = 500;
+  wire::LimitsReply limits;
+  CHECK(device.ask(wire::LimitsRequest{}, limits).any && limits.led_period_us == 500);
+  wire::Step steps[2];
+  for (wire::Step& step : steps) {
+    step.repeat = 1;
+    step.exposure_us = 4000;
+  }
+  CHECK(device.load_steps(steps, 2) == ErrorCode::kOk);
+  steps[1].exposure_us = 4250;
+  CHECK(device.load_steps(steps, 2) == ErrorCode::kLedPeriod);
+  steps[1].light = 255;  // in the dark nothing beats
+  CHECK(device.load_steps(steps, 2) == ErrorCode::kOk);
+}
+
+TEST(safety_a_level_that_the_drivers_cannot_make_is_refused) {
+  Device device;
+  device.hal.board.led_level_step = 4095;
+  CHECK(device.load_light(0, 3, 4095) == ErrorCode::kOk);
+  CHECK(device.load_light(0, 3, 2000) == ErrorCode::kLedLevelStep);
+  CHECK(device.load_light(0, 3, 0) == ErrorCode::kOk);
+}
+
 TEST(safety_the_link_may_be_silent_for_two_seconds) {
   Lit device;
   device.hal.board.led_on_time_us = 60000000;

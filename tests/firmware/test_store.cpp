@@ -201,6 +201,48 @@ TEST(settings_survive_a_power_cut_at_every_byte_of_a_write) {
   }
 }
 
+TEST(settings_of_the_leds_are_stored_beside_the_others) {
+  Device device;
+  wire::GetLedCorrectionReply found;
+  CHECK(device.ask(wire::GetLedCorrectionRequest{}, found).code == ErrorCode::kOk);
+  CHECK(found.factors[0] == 255 && found.factors[47] == 255);
+  wire::SetLedCorrectionRequest request;
+  for (std::size_t i = 0; i < sizeof request.factors; ++i) {
+    request.factors[i] = static_cast<std::uint8_t>(200 + i);
+  }
+  wire::SetLedCorrectionReply reply;
+  CHECK(device.ask(request, reply).code == ErrorCode::kOk && reply.factors[3] == 203);
+  wire::SetSettingsRequest other;
+  other.contrast = 9;
+  CHECK(device.code<wire::SetSettingsReply>(other) == ErrorCode::kOk);
+  reliefscope::Settings settings(device.hal);
+  settings.load();
+  settings.load();
+  CHECK(settings.get().contrast == 9);
+  CHECK(settings.led_correction().factors[47] == 247);
+}
+
+TEST(settings_of_the_leds_survive_a_power_cut_at_every_byte_of_a_write) {
+  for (std::size_t cut = 0; cut < 60; ++cut) {
+    fake::Hal hal;
+    reliefscope::Settings settings(hal);
+    settings.load();
+    wire::GetLedCorrectionReply values;
+    std::memset(values.factors, 100, sizeof values.factors);
+    CHECK(settings.set(values));
+    hal.writes = 0;
+    hal.writes_until_cut = cut;
+    std::memset(values.factors, 200, sizeof values.factors);
+    const bool kept = settings.set(values);
+    CHECK(kept == (cut >= 57));
+    reliefscope::Settings after(hal);
+    after.load();
+    for (const std::uint8_t factor : after.led_correction().factors) {
+      CHECK(factor == (kept ? 200 : 100));
+    }
+  }
+}
+
 TEST(settings_alternate_banks_and_find_the_newest) {
   fake::Hal hal;
   reliefscope::Settings settings(hal);

@@ -43,7 +43,9 @@ constexpr BoardInfo kInfo = {
     wire::kLeds,
     kLevelBudget,
     60 * 1000 * 1000,
-    10};
+    10,
+    0,
+    1};
 
 class HostBoard final : public reliefscope::Hal {
  public:

@@ -11,7 +11,7 @@
 namespace reliefscope::wire {
 
 inline constexpr std::uint16_t kProtocolVersion = 1;
-inline constexpr std::uint8_t kSchemaHash[16] = {0x8B, 0x9F, 0xD3, 0x2B, 0x91, 0x07, 0x82, 0xA6, 0x44, 0x93, 0xE9, 0x92, 0x89, 0x84, 0x0B, 0xF5};
+inline constexpr std::uint8_t kSchemaHash[16] = {0x57, 0x3B, 0x37, 0xB0, 0x39, 0xE3, 0xD6, 0x95, 0x74, 0xAB, 0x6D, 0x4E, 0x3C, 0xB9, 0x59, 0x78};
 inline constexpr std::size_t kHeaderSize = 11;
 inline constexpr std::size_t kCrcSize = 4;
 inline constexpr std::size_t kMaxPayload = 258;
@@ -230,6 +230,8 @@ enum class ErrorCode : std::uint8_t {
   kEventGone = 25,  // The event number is not in the queue; detail is the oldest number that is.
   kSettingsWrite = 26,  // The settings could not be stored.
   kNoBootloader = 27,  // This board has no bootloader.
+  kLedPeriod = 28,  // An exposure with light is not a whole number of the LED drivers' pulse periods; detail is the step.
+  kLedLevelStep = 29,  // This board cannot make a level; detail is the LED.
 };
 
 constexpr bool is_valid(ErrorCode value) {
@@ -254,6 +256,8 @@ constexpr bool is_valid(ErrorCode value) {
     case ErrorCode::kEventGone:
     case ErrorCode::kSettingsWrite:
     case ErrorCode::kNoBootloader:
+    case ErrorCode::kLedPeriod:
+    case ErrorCode::kLedLevelStep:
       return true;
   }
   return false;
@@ -302,6 +306,10 @@ enum class MessageId : std::uint8_t {
   kGetSettingsReply = 0xB1,
   kSetSettingsRequest = 0x32,
   kSetSettingsReply = 0xB2,
+  kGetLedCorrectionRequest = 0x33,
+  kGetLedCorrectionReply = 0xB3,
+  kSetLedCorrectionRequest = 0x34,
+  kSetLedCorrectionReply = 0xB4,
   kRejected = 0xFE,
   kFailed = 0xFF,
   kBootedEvent = 0x40,
@@ -417,10 +425,12 @@ struct LimitsRequest {
 // Answer to limits: what was set or found.
 struct LimitsReply {
   static constexpr MessageId kId = MessageId::kLimitsReply;
-  static constexpr std::size_t kMinSize = 12;
-  static constexpr std::size_t kMaxSize = 12;
+  static constexpr std::size_t kMinSize = 18;
+  static constexpr std::size_t kMaxSize = 18;
   std::uint32_t led_on_time_us = 0;  // Longest time that an LED may be on without a break. [us]
   std::uint32_t level_budget = 0;  // Largest sum of the levels of all LEDs.
+  std::uint32_t led_period_us = 0;  // Period of the LED drivers' pulses: an exposure with light must be a whole number of them; 0 where currents are constant. [us]
+  std::uint16_t led_level_step = 0;  // Levels must be multiples of this; LED_LEVEL_MAX where an LED is on or off. (1..4095)
   std::uint16_t link_timeout_ms = 0;  // Silence after which the light goes off outside a sequence. [ms]
   std::uint16_t reset_ms = 0;  // Time that the device needs from reset until it answers. [ms]
 };
@@ -749,6 +759,37 @@ struct SetSettingsReply {
   Mounting mounting = Mounting::kBottomView;  // How the glass sits.
   std::uint8_t contrast = 0;  // Fine contrast of the driver chip (electronic volume). (0..63)
   std::uint8_t resistor_ratio = 0;  // Coarse contrast of the driver chip (resistor ratio). (0..7)
+};
+
+// Correction of each LED in the non-volatile memory; it survives flashing.
+struct GetLedCorrectionRequest {
+  static constexpr MessageId kId = MessageId::kGetLedCorrectionRequest;
+  static constexpr std::size_t kMinSize = 0;
+  static constexpr std::size_t kMaxSize = 0;
+};
+
+// Answer to get_led_correction: what was set or found.
+struct GetLedCorrectionReply {
+  static constexpr MessageId kId = MessageId::kGetLedCorrectionReply;
+  static constexpr std::size_t kMinSize = 48;
+  static constexpr std::size_t kMaxSize = 48;
+  std::uint8_t factors[48] = {};  // Factor of each LED: its current is level * (factor + 1) / 256, rounded down. 255: none.
+};
+
+// Replaces the correction of all LEDs and stores it. It acts when a light is next selected. Not during a sequence.
+struct SetLedCorrectionRequest {
+  static constexpr MessageId kId = MessageId::kSetLedCorrectionRequest;
+  static constexpr std::size_t kMinSize = 48;
+  static constexpr std::size_t kMaxSize = 48;
+  std::uint8_t factors[48] = {};  // Factor of each LED: its current is level * (factor + 1) / 256, rounded down. 255: none.
+};
+
+// Answer to set_led_correction: what was set or found.
+struct SetLedCorrectionReply {
+  static constexpr MessageId kId = MessageId::kSetLedCorrectionReply;
+  static constexpr std::size_t kMinSize = 48;
+  static constexpr std::size_t kMaxSize = 48;
+  std::uint8_t factors[48] = {};  // Factor of each LED: its current is level * (factor + 1) / 256, rounded down. 255: none.
 };
 
 // The request did not reach its handler. Nothing happened. Not kept in the ring.
@@ -1188,6 +1229,9 @@ inline int read([[maybe_unused]] Reader& in, [[maybe_unused]] LimitsRequest& m) 
 
 // Index of the first field outside its range, or -1.
 inline int first_bad_field([[maybe_unused]] const LimitsReply& m) {
+  if (m.led_level_step < 1U || m.led_level_step > 4095U) {
+    return 3;
+  }
   return -1;
 }
 
@@ -1196,6 +1240,8 @@ namespace detail {
 inline void write([[maybe_unused]] Writer& out, [[maybe_unused]] const LimitsReply& m) {
   out.put(static_cast<std::uint64_t>(m.led_on_time_us), 4);
   out.put(static_cast<std::uint64_t>(m.level_budget), 4);
+  out.put(static_cast<std::uint64_t>(m.led_period_us), 4);
+  out.put(static_cast<std::uint64_t>(m.led_level_step), 2);
   out.put(static_cast<std::uint64_t>(m.link_timeout_ms), 2);
   out.put(static_cast<std::uint64_t>(m.reset_ms), 2);
 }
@@ -1204,6 +1250,8 @@ inline void write([[maybe_unused]] Writer& out, [[maybe_unused]] const LimitsRep
 inline int read([[maybe_unused]] Reader& in, [[maybe_unused]] LimitsReply& m) {
   m.led_on_time_us = static_cast<std::uint32_t>(in.get(4));
   m.level_budget = static_cast<std::uint32_t>(in.get(4));
+  m.led_period_us = static_cast<std::uint32_t>(in.get(4));
+  m.led_level_step = static_cast<std::uint16_t>(in.get(2));
   m.link_timeout_ms = static_cast<std::uint16_t>(in.get(2));
   m.reset_ms = static_cast<std::uint16_t>(in.get(2));
   return -1;
@@ -2171,6 +2219,92 @@ inline int read([[maybe_unused]] Reader& in, [[maybe_unused]] SetSettingsReply& 
 }  // namespace detail
 
 // Index of the first field outside its range, or -1.
+inline int first_bad_field([[maybe_unused]] const GetLedCorrectionRequest& m) {
+  return -1;
+}
+
+namespace detail {
+
+inline void write([[maybe_unused]] Writer& out, [[maybe_unused]] const GetLedCorrectionRequest& m) {
+}
+
+// Returns the index of the first bool that is neither 0 nor 1, or -1.
+inline int read([[maybe_unused]] Reader& in, [[maybe_unused]] GetLedCorrectionRequest& m) {
+  return -1;
+}
+
+}  // namespace detail
+
+// Index of the first field outside its range, or -1.
+inline int first_bad_field([[maybe_unused]] const GetLedCorrectionReply& m) {
+  return -1;
+}
+
+namespace detail {
+
+inline void write([[maybe_unused]] Writer& out, [[maybe_unused]] const GetLedCorrectionReply& m) {
+  for (std::size_t i = 0; i < 48; ++i) {
+    out.put(static_cast<std::uint64_t>(m.factors[i]), 1);
+  }
+}
+
+// Returns the index of the first bool that is neither 0 nor 1, or -1.
+inline int read([[maybe_unused]] Reader& in, [[maybe_unused]] GetLedCorrectionReply& m) {
+  for (std::size_t i = 0; i < 48; ++i) {
+    m.factors[i] = static_cast<std::uint8_t>(in.get(1));
+  }
+  return -1;
+}
+
+}  // namespace detail
+
+// Index of the first field outside its range, or -1.
+inline int first_bad_field([[maybe_unused]] const SetLedCorrectionRequest& m) {
+  return -1;
+}
+
+namespace detail {
+
+inline void write([[maybe_unused]] Writer& out, [[maybe_unused]] const SetLedCorrectionRequest& m) {
+  for (std::size_t i = 0; i < 48; ++i) {
+    out.put(static_cast<std::uint64_t>(m.factors[i]), 1);
+  }
+}
+
+// Returns the index of the first bool that is neither 0 nor 1, or -1.
+inline int read([[maybe_unused]] Reader& in, [[maybe_unused]] SetLedCorrectionRequest& m) {
+  for (std::size_t i = 0; i < 48; ++i) {
+    m.factors[i] = static_cast<std::uint8_t>(in.get(1));
+  }
+  return -1;
+}
+
+}  // namespace detail
+
+// Index of the first field outside its range, or -1.
+inline int first_bad_field([[maybe_unused]] const SetLedCorrectionReply& m) {
+  return -1;
+}
+
+namespace detail {
+
+inline void write([[maybe_unused]] Writer& out, [[maybe_unused]] const SetLedCorrectionReply& m) {
+  for (std::size_t i = 0; i < 48; ++i) {
+    out.put(static_cast<std::uint64_t>(m.factors[i]), 1);
+  }
+}
+
+// Returns the index of the first bool that is neither 0 nor 1, or -1.
+inline int read([[maybe_unused]] Reader& in, [[maybe_unused]] SetLedCorrectionReply& m) {
+  for (std::size_t i = 0; i < 48; ++i) {
+    m.factors[i] = static_cast<std::uint8_t>(in.get(1));
+  }
+  return -1;
+}
+
+}  // namespace detail
+
+// Index of the first field outside its range, or -1.
 inline int first_bad_field([[maybe_unused]] const Rejected& m) {
   if (!is_valid(m.code)) {
     return 0;
@@ -2400,6 +2534,8 @@ constexpr bool uses_ring(std::uint8_t message) {
     case MessageId::kCountersRequest:
     case MessageId::kGetSettingsRequest:
     case MessageId::kSetSettingsRequest:
+    case MessageId::kGetLedCorrectionRequest:
+    case MessageId::kSetLedCorrectionRequest:
       return true;
     default:
       return false;
@@ -2429,6 +2565,8 @@ constexpr bool is_request(std::uint8_t message) {
     case MessageId::kCountersRequest:
     case MessageId::kGetSettingsRequest:
     case MessageId::kSetSettingsRequest:
+    case MessageId::kGetLedCorrectionRequest:
+    case MessageId::kSetLedCorrectionRequest:
       return true;
     default:
       return false;
@@ -2522,6 +2660,10 @@ Outcome dispatch(Handler& handler, std::uint8_t message, const std::uint8_t* pay
       return detail::run<GetSettingsRequest, GetSettingsReply>(handler, payload, size, out);
     case MessageId::kSetSettingsRequest:
       return detail::run<SetSettingsRequest, SetSettingsReply>(handler, payload, size, out);
+    case MessageId::kGetLedCorrectionRequest:
+      return detail::run<GetLedCorrectionRequest, GetLedCorrectionReply>(handler, payload, size, out);
+    case MessageId::kSetLedCorrectionRequest:
+      return detail::run<SetLedCorrectionRequest, SetLedCorrectionReply>(handler, payload, size, out);
     default:
       return refuse(message, ErrorCode::kUnknownMessage, 0, out);
   }

@@ -12,7 +12,7 @@ from typing import Annotated, ClassVar, Final
 from reliefscope.protocol.codec import Event, Message, Refusal, Reply, Request, Struct, Wire, WireEnum
 
 PROTOCOL_VERSION: Final = 1
-SCHEMA_HASH: Final = bytes.fromhex("8b9fd32b910782a64493e99289840bf5")
+SCHEMA_HASH: Final = bytes.fromhex("573b37b039e3d69574ab6d4e3cb95978")
 MAX_PAYLOAD: Final = 258
 
 APERTURE_SLOTS: Final = 16
@@ -312,6 +312,18 @@ class ErrorCode(WireEnum):
         "This board has no bootloader.",
         "It is a simulated or emulated board.",
         "Start it with the new firmware instead.",
+    )
+    LED_PERIOD = (
+        28,
+        "An exposure with light is not a whole number of the LED drivers' pulse periods; detail is the step.",
+        "The drivers of this board dim by pulses, which would beat with the exposure.",
+        "Take an exposure that is a multiple of led_period_us of the limits.",
+    )
+    LED_LEVEL_STEP = (
+        29,
+        "This board cannot make a level; detail is the LED.",
+        "The drivers of this board know fewer levels than the request.",
+        "Take multiples of led_level_step of the limits.",
     )
 
 
@@ -712,6 +724,25 @@ class LimitsReply(Reply):
             "int",
             "u32",
             description="Largest sum of the levels of all LEDs.",
+        ),
+    ]
+    led_period_us: Annotated[
+        int,
+        Wire(
+            "int",
+            "u32",
+            description="Period of the LED drivers' pulses: an exposure with light must be a whole number of them; 0 where currents are constant.",
+            unit="us",
+        ),
+    ]
+    led_level_step: Annotated[
+        int,
+        Wire(
+            "int",
+            "u16",
+            description="Levels must be multiples of this; LED_LEVEL_MAX where an LED is on or off.",
+            minimum=1,
+            maximum=4095,
         ),
     ]
     link_timeout_ms: Annotated[
@@ -1344,6 +1375,42 @@ class SetSettingsReply(Reply):
             "u8",
             description="Coarse contrast of the driver chip (resistor ratio).",
             maximum=7,
+        ),
+    ]
+
+
+@dataclass(frozen=True, slots=True)
+class GetLedCorrectionReply(Reply):
+    """Answer to get_led_correction: what was set or found."""
+
+    ID: ClassVar[int] = 0xB3
+    NAME: ClassVar[str] = "get_led_correction_reply"
+
+    factors: Annotated[
+        bytes,
+        Wire(
+            "int",
+            "u8",
+            description="Factor of each LED: its current is level * (factor + 1) / 256, rounded down. 255: none.",
+            count=48,
+        ),
+    ]
+
+
+@dataclass(frozen=True, slots=True)
+class SetLedCorrectionReply(Reply):
+    """Answer to set_led_correction: what was set or found."""
+
+    ID: ClassVar[int] = 0xB4
+    NAME: ClassVar[str] = "set_led_correction_reply"
+
+    factors: Annotated[
+        bytes,
+        Wire(
+            "int",
+            "u8",
+            description="Factor of each LED: its current is level * (factor + 1) / 256, rounded down. 255: none.",
+            count=48,
         ),
     ]
 
@@ -2174,6 +2241,37 @@ class SetSettingsRequest(Request[SetSettingsReply]):
     ]
 
 
+@dataclass(frozen=True, slots=True)
+class GetLedCorrectionRequest(Request[GetLedCorrectionReply]):
+    """Correction of each LED in the non-volatile memory; it survives flashing."""
+
+    ID: ClassVar[int] = 0x33
+    NAME: ClassVar[str] = "get_led_correction_request"
+    REPLY: ClassVar[type[Message]] = GetLedCorrectionReply
+    RING: ClassVar[bool] = True
+
+
+
+@dataclass(frozen=True, slots=True)
+class SetLedCorrectionRequest(Request[SetLedCorrectionReply]):
+    """Replaces the correction of all LEDs and stores it. It acts when a light is next selected. Not during a sequence."""
+
+    ID: ClassVar[int] = 0x34
+    NAME: ClassVar[str] = "set_led_correction_request"
+    REPLY: ClassVar[type[Message]] = SetLedCorrectionReply
+    RING: ClassVar[bool] = True
+
+    factors: Annotated[
+        bytes,
+        Wire(
+            "int",
+            "u8",
+            description="Factor of each LED: its current is level * (factor + 1) / 256, rounded down. 255: none.",
+            count=48,
+        ),
+    ]
+
+
 MESSAGES: Final[dict[int, type[Message]]] = {
     message.ID: message
     for message in (
@@ -2219,6 +2317,10 @@ MESSAGES: Final[dict[int, type[Message]]] = {
         GetSettingsReply,
         SetSettingsRequest,
         SetSettingsReply,
+        GetLedCorrectionRequest,
+        GetLedCorrectionReply,
+        SetLedCorrectionRequest,
+        SetLedCorrectionReply,
         Rejected,
         Failed,
         BootedEvent,

@@ -149,23 +149,23 @@ inline bool matches14(const std::uint8_t* payload, std::size_t size) {
   wire::LimitsRequest m;
   return wire::decode(m, payload, size).code == wire::ErrorCode::kOk && encodes_to(m, payload, size);
 }
-inline constexpr std::uint8_t kFrame15[] = {11,132,136,3,2,1,2,176,173,27,12,17,17,34,51,68,24,41,58,75,31,48,38,55,106,176,137,252,0};
-inline constexpr std::uint8_t kPayload15[] = {17,34,51,68,24,41,58,75,31,48,38,55};
+inline constexpr std::uint8_t kFrame15[] = {11,132,136,3,2,1,2,176,173,27,18,23,17,34,51,68,24,41,58,75,31,48,65,82,42,7,45,62,52,69,253,223,93,11,0};
+inline constexpr std::uint8_t kPayload15[] = {17,34,51,68,24,41,58,75,31,48,65,82,42,7,45,62,52,69};
 inline bool matches15(const std::uint8_t* payload, std::size_t size) {
   wire::LimitsReply m;
-  return wire::decode(m, payload, size).code == wire::ErrorCode::kOk && encodes_to(m, payload, size) && m.led_on_time_us == 1144201745ULL && m.level_budget == 1262102808ULL && m.link_timeout_ms == 12319ULL && m.reset_ms == 14118ULL;
+  return wire::decode(m, payload, size).code == wire::ErrorCode::kOk && encodes_to(m, payload, size) && m.led_on_time_us == 1144201745ULL && m.level_budget == 1262102808ULL && m.led_period_us == 1380003871ULL && m.led_level_step == 1834ULL && m.link_timeout_ms == 15917ULL && m.reset_ms == 17716ULL;
 }
-inline constexpr std::uint8_t kFrame16[] = {11,132,136,3,2,1,2,176,173,27,12,1,1,1,1,1,1,1,1,1,1,1,1,5,239,211,181,157,0};
-inline constexpr std::uint8_t kPayload16[] = {0,0,0,0,0,0,0,0,0,0,0,0};
+inline constexpr std::uint8_t kFrame16[] = {11,132,136,3,2,1,2,176,173,27,18,1,1,1,1,1,1,1,1,1,1,1,1,2,1,1,1,1,1,5,145,171,128,117,0};
+inline constexpr std::uint8_t kPayload16[] = {0,0,0,0,0,0,0,0,0,0,0,0,1,0,0,0,0,0};
 inline bool matches16(const std::uint8_t* payload, std::size_t size) {
   wire::LimitsReply m;
-  return wire::decode(m, payload, size).code == wire::ErrorCode::kOk && encodes_to(m, payload, size) && m.led_on_time_us == 0ULL && m.level_budget == 0ULL && m.link_timeout_ms == 0ULL && m.reset_ms == 0ULL;
+  return wire::decode(m, payload, size).code == wire::ErrorCode::kOk && encodes_to(m, payload, size) && m.led_on_time_us == 0ULL && m.level_budget == 0ULL && m.led_period_us == 0ULL && m.led_level_step == 1ULL && m.link_timeout_ms == 0ULL && m.reset_ms == 0ULL;
 }
-inline constexpr std::uint8_t kFrame17[] = {11,132,136,3,2,1,2,176,173,27,12,17,255,255,255,255,255,255,255,255,255,255,255,255,10,234,249,93,0};
-inline constexpr std::uint8_t kPayload17[] = {255,255,255,255,255,255,255,255,255,255,255,255};
+inline constexpr std::uint8_t kFrame17[] = {11,132,136,3,2,1,2,176,173,27,18,23,255,255,255,255,255,255,255,255,255,255,255,255,255,15,255,255,255,255,201,69,38,172,0};
+inline constexpr std::uint8_t kPayload17[] = {255,255,255,255,255,255,255,255,255,255,255,255,255,15,255,255,255,255};
 inline bool matches17(const std::uint8_t* payload, std::size_t size) {
   wire::LimitsReply m;
-  return wire::decode(m, payload, size).code == wire::ErrorCode::kOk && encodes_to(m, payload, size) && m.led_on_time_us == 4294967295ULL && m.level_budget == 4294967295ULL && m.link_timeout_ms == 65535ULL && m.reset_ms == 65535ULL;
+  return wire::decode(m, payload, size).code == wire::ErrorCode::kOk && encodes_to(m, payload, size) && m.led_on_time_us == 4294967295ULL && m.level_budget == 4294967295ULL && m.led_period_us == 4294967295ULL && m.led_level_step == 4095ULL && m.link_timeout_ms == 65535ULL && m.reset_ms == 65535ULL;
 }
 inline constexpr std::uint8_t kFrame18[] = {11,16,20,3,2,1,2,176,173,27,34,6,17,16,24,9,31,33,38,7,45,14,52,5,59,12,66,3,73,10,80,1,87,8,94,15,101,6,108,13,115,4,122,11,129,2,142,33,101,44,0};
 inline constexpr std::uint8_t kPayload18[] = {17,16,24,9,31,0,38,7,45,14,52,5,59,12,66,3,73,10,80,1,87,8,94,15,101,6,108,13,115,4,122,11,129,2};
@@ -743,504 +743,590 @@ inline bool matches113(const std::uint8_t* payload, std::size_t size) {
   wire::SetSettingsReply m;
   return wire::decode(m, payload, size).code == wire::ErrorCode::kOk && encodes_to(m, payload, size) && std::strncmp(m.serial_number, "~~~~~~~~~~~~~~~~", 16) == 0 && m.glass_variant == static_cast<wire::GlassVariant>(2) && m.mounting == static_cast<wire::Mounting>(1) && m.contrast == 63ULL && m.resistor_ratio == 7ULL;
 }
-inline constexpr std::uint8_t kFrame114[] = {11,254,2,4,2,1,2,176,173,27,6,11,18,24,31,48,65,82,216,118,163,62,0};
-inline constexpr std::uint8_t kPayload114[] = {18,24,31,48,65,82};
+inline constexpr std::uint8_t kFrame114[] = {10,51,55,3,2,1,2,176,173,27,1,5,234,17,130,127,0};
 inline bool matches114(const std::uint8_t* payload, std::size_t size) {
-  wire::Rejected m;
-  return wire::decode(m, payload, size).code == wire::ErrorCode::kOk && encodes_to(m, payload, size) && m.code == static_cast<wire::ErrorCode>(18) && m.message == 24ULL && m.detail == 1380003871ULL;
+  wire::GetLedCorrectionRequest m;
+  return wire::decode(m, payload, size).code == wire::ErrorCode::kOk && encodes_to(m, payload, size);
 }
-inline constexpr std::uint8_t kFrame115[] = {11,254,2,4,2,1,2,176,173,27,6,1,1,1,1,1,1,5,206,229,59,96,0};
-inline constexpr std::uint8_t kPayload115[] = {0,0,0,0,0,0};
+inline constexpr std::uint8_t kFrame115[] = {11,179,183,3,2,1,2,176,173,27,48,53,17,24,31,38,45,52,59,66,73,80,87,94,101,108,115,122,129,136,143,150,157,164,171,178,185,192,199,206,213,220,227,234,241,248,255,6,13,20,27,34,41,48,55,62,69,76,83,90,206,250,13,153,0};
+inline constexpr std::uint8_t kPayload115[] = {17,24,31,38,45,52,59,66,73,80,87,94,101,108,115,122,129,136,143,150,157,164,171,178,185,192,199,206,213,220,227,234,241,248,255,6,13,20,27,34,41,48,55,62,69,76,83,90};
 inline bool matches115(const std::uint8_t* payload, std::size_t size) {
-  wire::Rejected m;
-  return wire::decode(m, payload, size).code == wire::ErrorCode::kOk && encodes_to(m, payload, size) && m.code == static_cast<wire::ErrorCode>(0) && m.message == 0ULL && m.detail == 0ULL;
+  wire::GetLedCorrectionReply m;
+  static constexpr std::uint8_t factors[] = {17,24,31,38,45,52,59,66,73,80,87,94,101,108,115,122,129,136,143,150,157,164,171,178,185,192,199,206,213,220,227,234,241,248,255,6,13,20,27,34,41,48,55,62,69,76,83,90};
+  return wire::decode(m, payload, size).code == wire::ErrorCode::kOk && encodes_to(m, payload, size) && std::memcmp(m.factors, factors, sizeof factors) == 0;
 }
-inline constexpr std::uint8_t kFrame116[] = {11,254,2,4,2,1,2,176,173,27,6,11,27,255,255,255,255,255,249,240,245,29,0};
-inline constexpr std::uint8_t kPayload116[] = {27,255,255,255,255,255};
+inline constexpr std::uint8_t kFrame116[] = {11,179,183,3,2,1,2,176,173,27,48,1,1,1,1,1,1,1,1,1,1,1,1,1,1,1,1,1,1,1,1,1,1,1,1,1,1,1,1,1,1,1,1,1,1,1,1,1,1,1,1,1,1,1,1,1,1,1,1,5,180,91,20,236,0};
+inline constexpr std::uint8_t kPayload116[] = {0,0,0,0,0,0,0,0,0,0,0,0,0,0,0,0,0,0,0,0,0,0,0,0,0,0,0,0,0,0,0,0,0,0,0,0,0,0,0,0,0,0,0,0,0,0,0,0};
 inline bool matches116(const std::uint8_t* payload, std::size_t size) {
-  wire::Rejected m;
-  return wire::decode(m, payload, size).code == wire::ErrorCode::kOk && encodes_to(m, payload, size) && m.code == static_cast<wire::ErrorCode>(27) && m.message == 255ULL && m.detail == 4294967295ULL;
+  wire::GetLedCorrectionReply m;
+  static constexpr std::uint8_t factors[] = {0,0,0,0,0,0,0,0,0,0,0,0,0,0,0,0,0,0,0,0,0,0,0,0,0,0,0,0,0,0,0,0,0,0,0,0,0,0,0,0,0,0,0,0,0,0,0,0};
+  return wire::decode(m, payload, size).code == wire::ErrorCode::kOk && encodes_to(m, payload, size) && std::memcmp(m.factors, factors, sizeof factors) == 0;
 }
-inline constexpr std::uint8_t kFrame117[] = {11,255,3,4,2,1,2,176,173,27,6,11,18,24,31,48,65,82,10,44,109,23,0};
-inline constexpr std::uint8_t kPayload117[] = {18,24,31,48,65,82};
+inline constexpr std::uint8_t kFrame117[] = {11,179,183,3,2,1,2,176,173,27,48,53,255,255,255,255,255,255,255,255,255,255,255,255,255,255,255,255,255,255,255,255,255,255,255,255,255,255,255,255,255,255,255,255,255,255,255,255,255,255,255,255,255,255,255,255,255,255,255,255,255,255,132,248,0};
+inline constexpr std::uint8_t kPayload117[] = {255,255,255,255,255,255,255,255,255,255,255,255,255,255,255,255,255,255,255,255,255,255,255,255,255,255,255,255,255,255,255,255,255,255,255,255,255,255,255,255,255,255,255,255,255,255,255,255};
 inline bool matches117(const std::uint8_t* payload, std::size_t size) {
-  wire::Failed m;
-  return wire::decode(m, payload, size).code == wire::ErrorCode::kOk && encodes_to(m, payload, size) && m.code == static_cast<wire::ErrorCode>(18) && m.message == 24ULL && m.detail == 1380003871ULL;
+  wire::GetLedCorrectionReply m;
+  static constexpr std::uint8_t factors[] = {255,255,255,255,255,255,255,255,255,255,255,255,255,255,255,255,255,255,255,255,255,255,255,255,255,255,255,255,255,255,255,255,255,255,255,255,255,255,255,255,255,255,255,255,255,255,255,255};
+  return wire::decode(m, payload, size).code == wire::ErrorCode::kOk && encodes_to(m, payload, size) && std::memcmp(m.factors, factors, sizeof factors) == 0;
 }
-inline constexpr std::uint8_t kFrame118[] = {11,255,3,4,2,1,2,176,173,27,6,1,1,1,1,1,1,5,28,191,245,73,0};
-inline constexpr std::uint8_t kPayload118[] = {0,0,0,0,0,0};
+inline constexpr std::uint8_t kFrame118[] = {11,52,56,3,2,1,2,176,173,27,48,53,17,24,31,38,45,52,59,66,73,80,87,94,101,108,115,122,129,136,143,150,157,164,171,178,185,192,199,206,213,220,227,234,241,248,255,6,13,20,27,34,41,48,55,62,69,76,83,90,96,214,153,140,0};
+inline constexpr std::uint8_t kPayload118[] = {17,24,31,38,45,52,59,66,73,80,87,94,101,108,115,122,129,136,143,150,157,164,171,178,185,192,199,206,213,220,227,234,241,248,255,6,13,20,27,34,41,48,55,62,69,76,83,90};
 inline bool matches118(const std::uint8_t* payload, std::size_t size) {
+  wire::SetLedCorrectionRequest m;
+  static constexpr std::uint8_t factors[] = {17,24,31,38,45,52,59,66,73,80,87,94,101,108,115,122,129,136,143,150,157,164,171,178,185,192,199,206,213,220,227,234,241,248,255,6,13,20,27,34,41,48,55,62,69,76,83,90};
+  return wire::decode(m, payload, size).code == wire::ErrorCode::kOk && encodes_to(m, payload, size) && std::memcmp(m.factors, factors, sizeof factors) == 0;
+}
+inline constexpr std::uint8_t kFrame119[] = {11,52,56,3,2,1,2,176,173,27,48,1,1,1,1,1,1,1,1,1,1,1,1,1,1,1,1,1,1,1,1,1,1,1,1,1,1,1,1,1,1,1,1,1,1,1,1,1,1,1,1,1,1,1,1,1,1,1,1,5,26,119,128,249,0};
+inline constexpr std::uint8_t kPayload119[] = {0,0,0,0,0,0,0,0,0,0,0,0,0,0,0,0,0,0,0,0,0,0,0,0,0,0,0,0,0,0,0,0,0,0,0,0,0,0,0,0,0,0,0,0,0,0,0,0};
+inline bool matches119(const std::uint8_t* payload, std::size_t size) {
+  wire::SetLedCorrectionRequest m;
+  static constexpr std::uint8_t factors[] = {0,0,0,0,0,0,0,0,0,0,0,0,0,0,0,0,0,0,0,0,0,0,0,0,0,0,0,0,0,0,0,0,0,0,0,0,0,0,0,0,0,0,0,0,0,0,0,0};
+  return wire::decode(m, payload, size).code == wire::ErrorCode::kOk && encodes_to(m, payload, size) && std::memcmp(m.factors, factors, sizeof factors) == 0;
+}
+inline constexpr std::uint8_t kFrame120[] = {11,52,56,3,2,1,2,176,173,27,48,53,255,255,255,255,255,255,255,255,255,255,255,255,255,255,255,255,255,255,255,255,255,255,255,255,255,255,255,255,255,255,255,255,255,255,255,255,255,255,255,255,255,255,255,255,255,255,255,255,81,211,16,237,0};
+inline constexpr std::uint8_t kPayload120[] = {255,255,255,255,255,255,255,255,255,255,255,255,255,255,255,255,255,255,255,255,255,255,255,255,255,255,255,255,255,255,255,255,255,255,255,255,255,255,255,255,255,255,255,255,255,255,255,255};
+inline bool matches120(const std::uint8_t* payload, std::size_t size) {
+  wire::SetLedCorrectionRequest m;
+  static constexpr std::uint8_t factors[] = {255,255,255,255,255,255,255,255,255,255,255,255,255,255,255,255,255,255,255,255,255,255,255,255,255,255,255,255,255,255,255,255,255,255,255,255,255,255,255,255,255,255,255,255,255,255,255,255};
+  return wire::decode(m, payload, size).code == wire::ErrorCode::kOk && encodes_to(m, payload, size) && std::memcmp(m.factors, factors, sizeof factors) == 0;
+}
+inline constexpr std::uint8_t kFrame121[] = {11,180,184,3,2,1,2,176,173,27,48,53,17,24,31,38,45,52,59,66,73,80,87,94,101,108,115,122,129,136,143,150,157,164,171,178,185,192,199,206,213,220,227,234,241,248,255,6,13,20,27,34,41,48,55,62,69,76,83,90,187,187,23,72,0};
+inline constexpr std::uint8_t kPayload121[] = {17,24,31,38,45,52,59,66,73,80,87,94,101,108,115,122,129,136,143,150,157,164,171,178,185,192,199,206,213,220,227,234,241,248,255,6,13,20,27,34,41,48,55,62,69,76,83,90};
+inline bool matches121(const std::uint8_t* payload, std::size_t size) {
+  wire::SetLedCorrectionReply m;
+  static constexpr std::uint8_t factors[] = {17,24,31,38,45,52,59,66,73,80,87,94,101,108,115,122,129,136,143,150,157,164,171,178,185,192,199,206,213,220,227,234,241,248,255,6,13,20,27,34,41,48,55,62,69,76,83,90};
+  return wire::decode(m, payload, size).code == wire::ErrorCode::kOk && encodes_to(m, payload, size) && std::memcmp(m.factors, factors, sizeof factors) == 0;
+}
+inline constexpr std::uint8_t kFrame122[] = {11,180,184,3,2,1,2,176,173,27,48,1,1,1,1,1,1,1,1,1,1,1,1,1,1,1,1,1,1,1,1,1,1,1,1,1,1,1,1,1,1,1,1,1,1,1,1,1,1,1,1,1,1,1,1,1,1,1,1,5,193,26,14,61,0};
+inline constexpr std::uint8_t kPayload122[] = {0,0,0,0,0,0,0,0,0,0,0,0,0,0,0,0,0,0,0,0,0,0,0,0,0,0,0,0,0,0,0,0,0,0,0,0,0,0,0,0,0,0,0,0,0,0,0,0};
+inline bool matches122(const std::uint8_t* payload, std::size_t size) {
+  wire::SetLedCorrectionReply m;
+  static constexpr std::uint8_t factors[] = {0,0,0,0,0,0,0,0,0,0,0,0,0,0,0,0,0,0,0,0,0,0,0,0,0,0,0,0,0,0,0,0,0,0,0,0,0,0,0,0,0,0,0,0,0,0,0,0};
+  return wire::decode(m, payload, size).code == wire::ErrorCode::kOk && encodes_to(m, payload, size) && std::memcmp(m.factors, factors, sizeof factors) == 0;
+}
+inline constexpr std::uint8_t kFrame123[] = {11,180,184,3,2,1,2,176,173,27,48,53,255,255,255,255,255,255,255,255,255,255,255,255,255,255,255,255,255,255,255,255,255,255,255,255,255,255,255,255,255,255,255,255,255,255,255,255,255,255,255,255,255,255,255,255,255,255,255,255,138,190,158,41,0};
+inline constexpr std::uint8_t kPayload123[] = {255,255,255,255,255,255,255,255,255,255,255,255,255,255,255,255,255,255,255,255,255,255,255,255,255,255,255,255,255,255,255,255,255,255,255,255,255,255,255,255,255,255,255,255,255,255,255,255};
+inline bool matches123(const std::uint8_t* payload, std::size_t size) {
+  wire::SetLedCorrectionReply m;
+  static constexpr std::uint8_t factors[] = {255,255,255,255,255,255,255,255,255,255,255,255,255,255,255,255,255,255,255,255,255,255,255,255,255,255,255,255,255,255,255,255,255,255,255,255,255,255,255,255,255,255,255,255,255,255,255,255};
+  return wire::decode(m, payload, size).code == wire::ErrorCode::kOk && encodes_to(m, payload, size) && std::memcmp(m.factors, factors, sizeof factors) == 0;
+}
+inline constexpr std::uint8_t kFrame124[] = {11,254,2,4,2,1,2,176,173,27,6,11,19,24,31,48,65,82,125,165,255,245,0};
+inline constexpr std::uint8_t kPayload124[] = {19,24,31,48,65,82};
+inline bool matches124(const std::uint8_t* payload, std::size_t size) {
+  wire::Rejected m;
+  return wire::decode(m, payload, size).code == wire::ErrorCode::kOk && encodes_to(m, payload, size) && m.code == static_cast<wire::ErrorCode>(19) && m.message == 24ULL && m.detail == 1380003871ULL;
+}
+inline constexpr std::uint8_t kFrame125[] = {11,254,2,4,2,1,2,176,173,27,6,1,1,1,1,1,1,5,206,229,59,96,0};
+inline constexpr std::uint8_t kPayload125[] = {0,0,0,0,0,0};
+inline bool matches125(const std::uint8_t* payload, std::size_t size) {
+  wire::Rejected m;
+  return wire::decode(m, payload, size).code == wire::ErrorCode::kOk && encodes_to(m, payload, size) && m.code == static_cast<wire::ErrorCode>(0) && m.message == 0ULL && m.detail == 0ULL;
+}
+inline constexpr std::uint8_t kFrame126[] = {11,254,2,4,2,1,2,176,173,27,6,11,29,255,255,255,255,255,228,19,172,203,0};
+inline constexpr std::uint8_t kPayload126[] = {29,255,255,255,255,255};
+inline bool matches126(const std::uint8_t* payload, std::size_t size) {
+  wire::Rejected m;
+  return wire::decode(m, payload, size).code == wire::ErrorCode::kOk && encodes_to(m, payload, size) && m.code == static_cast<wire::ErrorCode>(29) && m.message == 255ULL && m.detail == 4294967295ULL;
+}
+inline constexpr std::uint8_t kFrame127[] = {11,255,3,4,2,1,2,176,173,27,6,11,19,24,31,48,65,82,175,255,49,220,0};
+inline constexpr std::uint8_t kPayload127[] = {19,24,31,48,65,82};
+inline bool matches127(const std::uint8_t* payload, std::size_t size) {
+  wire::Failed m;
+  return wire::decode(m, payload, size).code == wire::ErrorCode::kOk && encodes_to(m, payload, size) && m.code == static_cast<wire::ErrorCode>(19) && m.message == 24ULL && m.detail == 1380003871ULL;
+}
+inline constexpr std::uint8_t kFrame128[] = {11,255,3,4,2,1,2,176,173,27,6,1,1,1,1,1,1,5,28,191,245,73,0};
+inline constexpr std::uint8_t kPayload128[] = {0,0,0,0,0,0};
+inline bool matches128(const std::uint8_t* payload, std::size_t size) {
   wire::Failed m;
   return wire::decode(m, payload, size).code == wire::ErrorCode::kOk && encodes_to(m, payload, size) && m.code == static_cast<wire::ErrorCode>(0) && m.message == 0ULL && m.detail == 0ULL;
 }
-inline constexpr std::uint8_t kFrame119[] = {11,255,3,4,2,1,2,176,173,27,6,11,27,255,255,255,255,255,43,170,59,52,0};
-inline constexpr std::uint8_t kPayload119[] = {27,255,255,255,255,255};
-inline bool matches119(const std::uint8_t* payload, std::size_t size) {
+inline constexpr std::uint8_t kFrame129[] = {11,255,3,4,2,1,2,176,173,27,6,11,29,255,255,255,255,255,54,73,98,226,0};
+inline constexpr std::uint8_t kPayload129[] = {29,255,255,255,255,255};
+inline bool matches129(const std::uint8_t* payload, std::size_t size) {
   wire::Failed m;
-  return wire::decode(m, payload, size).code == wire::ErrorCode::kOk && encodes_to(m, payload, size) && m.code == static_cast<wire::ErrorCode>(27) && m.message == 255ULL && m.detail == 4294967295ULL;
+  return wire::decode(m, payload, size).code == wire::ErrorCode::kOk && encodes_to(m, payload, size) && m.code == static_cast<wire::ErrorCode>(29) && m.message == 255ULL && m.detail == 4294967295ULL;
 }
-inline constexpr std::uint8_t kFrame120[] = {11,64,68,3,2,1,2,176,173,27,1,6,4,34,175,25,160,0};
-inline constexpr std::uint8_t kPayload120[] = {4};
-inline bool matches120(const std::uint8_t* payload, std::size_t size) {
+inline constexpr std::uint8_t kFrame130[] = {11,64,68,3,2,1,2,176,173,27,1,6,4,34,175,25,160,0};
+inline constexpr std::uint8_t kPayload130[] = {4};
+inline bool matches130(const std::uint8_t* payload, std::size_t size) {
   wire::BootedEvent m;
   return wire::decode(m, payload, size).code == wire::ErrorCode::kOk && encodes_to(m, payload, size) && m.reset_cause == static_cast<wire::ResetCause>(4);
 }
-inline constexpr std::uint8_t kFrame121[] = {11,64,68,3,2,1,2,176,173,27,1,1,5,59,107,116,167,0};
-inline constexpr std::uint8_t kPayload121[] = {0};
-inline bool matches121(const std::uint8_t* payload, std::size_t size) {
+inline constexpr std::uint8_t kFrame131[] = {11,64,68,3,2,1,2,176,173,27,1,1,5,59,107,116,167,0};
+inline constexpr std::uint8_t kPayload131[] = {0};
+inline bool matches131(const std::uint8_t* payload, std::size_t size) {
   wire::BootedEvent m;
   return wire::decode(m, payload, size).code == wire::ErrorCode::kOk && encodes_to(m, payload, size) && m.reset_cause == static_cast<wire::ResetCause>(0);
 }
-inline constexpr std::uint8_t kFrame122[] = {11,64,68,3,2,1,2,176,173,27,1,6,7,152,254,16,57,0};
-inline constexpr std::uint8_t kPayload122[] = {7};
-inline bool matches122(const std::uint8_t* payload, std::size_t size) {
+inline constexpr std::uint8_t kFrame132[] = {11,64,68,3,2,1,2,176,173,27,1,6,7,152,254,16,57,0};
+inline constexpr std::uint8_t kPayload132[] = {7};
+inline bool matches132(const std::uint8_t* payload, std::size_t size) {
   wire::BootedEvent m;
   return wire::decode(m, payload, size).code == wire::ErrorCode::kOk && encodes_to(m, payload, size) && m.reset_cause == static_cast<wire::ResetCause>(7);
 }
-inline constexpr std::uint8_t kFrame123[] = {11,65,69,3,2,1,2,176,173,27,35,40,17,34,51,68,24,41,58,75,31,48,65,82,38,3,45,62,4,27,66,83,100,117,134,151,168,185,73,90,107,124,80,97,114,131,2,31,190,186,210,0};
-inline constexpr std::uint8_t kPayload123[] = {17,34,51,68,24,41,58,75,31,48,65,82,38,3,45,62,4,27,66,83,100,117,134,151,168,185,73,90,107,124,80,97,114,131,2};
-inline bool matches123(const std::uint8_t* payload, std::size_t size) {
+inline constexpr std::uint8_t kFrame133[] = {11,65,69,3,2,1,2,176,173,27,35,40,17,34,51,68,24,41,58,75,31,48,65,82,38,3,45,62,4,27,66,83,100,117,134,151,168,185,73,90,107,124,80,97,114,131,2,31,190,186,210,0};
+inline constexpr std::uint8_t kPayload133[] = {17,34,51,68,24,41,58,75,31,48,65,82,38,3,45,62,4,27,66,83,100,117,134,151,168,185,73,90,107,124,80,97,114,131,2};
+inline bool matches133(const std::uint8_t* payload, std::size_t size) {
   wire::ExposureEvent m;
   return wire::decode(m, payload, size).code == wire::ErrorCode::kOk && encodes_to(m, payload, size) && m.table_hash == 1144201745ULL && m.run_id == 1262102808ULL && m.index == 1380003871ULL && m.step == 806ULL && m.repeat == 15917ULL && m.aperture == 4ULL && m.light == 27ULL && m.start_us == 13378109296854979394ULL && m.settle_waited_us == 2087410249ULL && m.exposure_us == 2205311312ULL && m.flags == 2ULL;
 }
-inline constexpr std::uint8_t kFrame124[] = {11,65,69,3,2,1,2,176,173,27,35,1,1,1,1,1,1,1,1,1,1,1,1,1,1,1,1,1,1,1,1,1,1,1,1,1,1,1,1,1,1,1,1,1,1,1,5,122,206,44,227,0};
-inline constexpr std::uint8_t kPayload124[] = {0,0,0,0,0,0,0,0,0,0,0,0,0,0,0,0,0,0,0,0,0,0,0,0,0,0,0,0,0,0,0,0,0,0,0};
-inline bool matches124(const std::uint8_t* payload, std::size_t size) {
+inline constexpr std::uint8_t kFrame134[] = {11,65,69,3,2,1,2,176,173,27,35,1,1,1,1,1,1,1,1,1,1,1,1,1,1,1,1,1,1,1,1,1,1,1,1,1,1,1,1,1,1,1,1,1,1,1,5,122,206,44,227,0};
+inline constexpr std::uint8_t kPayload134[] = {0,0,0,0,0,0,0,0,0,0,0,0,0,0,0,0,0,0,0,0,0,0,0,0,0,0,0,0,0,0,0,0,0,0,0};
+inline bool matches134(const std::uint8_t* payload, std::size_t size) {
   wire::ExposureEvent m;
   return wire::decode(m, payload, size).code == wire::ErrorCode::kOk && encodes_to(m, payload, size) && m.table_hash == 0ULL && m.run_id == 0ULL && m.index == 0ULL && m.step == 0ULL && m.repeat == 0ULL && m.aperture == 0ULL && m.light == 0ULL && m.start_us == 0ULL && m.settle_waited_us == 0ULL && m.exposure_us == 0ULL && m.flags == 0ULL;
 }
-inline constexpr std::uint8_t kFrame125[] = {11,65,69,3,2,1,2,176,173,27,35,40,255,255,255,255,255,255,255,255,255,255,255,255,255,3,255,255,255,255,255,255,255,255,255,255,255,255,255,255,255,255,255,255,255,255,3,191,112,171,229,0};
-inline constexpr std::uint8_t kPayload125[] = {255,255,255,255,255,255,255,255,255,255,255,255,255,3,255,255,255,255,255,255,255,255,255,255,255,255,255,255,255,255,255,255,255,255,3};
-inline bool matches125(const std::uint8_t* payload, std::size_t size) {
+inline constexpr std::uint8_t kFrame135[] = {11,65,69,3,2,1,2,176,173,27,35,40,255,255,255,255,255,255,255,255,255,255,255,255,255,3,255,255,255,255,255,255,255,255,255,255,255,255,255,255,255,255,255,255,255,255,3,191,112,171,229,0};
+inline constexpr std::uint8_t kPayload135[] = {255,255,255,255,255,255,255,255,255,255,255,255,255,3,255,255,255,255,255,255,255,255,255,255,255,255,255,255,255,255,255,255,255,255,3};
+inline bool matches135(const std::uint8_t* payload, std::size_t size) {
   wire::ExposureEvent m;
   return wire::decode(m, payload, size).code == wire::ErrorCode::kOk && encodes_to(m, payload, size) && m.table_hash == 4294967295ULL && m.run_id == 4294967295ULL && m.index == 4294967295ULL && m.step == 1023ULL && m.repeat == 65535ULL && m.aperture == 255ULL && m.light == 255ULL && m.start_us == 18446744073709551615ULL && m.settle_waited_us == 4294967295ULL && m.exposure_us == 4294967295ULL && m.flags == 3ULL;
 }
-inline constexpr std::uint8_t kFrame126[] = {11,66,70,3,2,1,2,176,173,27,21,26,3,24,41,58,75,31,48,65,82,38,55,72,89,45,62,79,96,113,130,147,164,53,175,234,208,0};
-inline constexpr std::uint8_t kPayload126[] = {3,24,41,58,75,31,48,65,82,38,55,72,89,45,62,79,96,113,130,147,164};
-inline bool matches126(const std::uint8_t* payload, std::size_t size) {
+inline constexpr std::uint8_t kFrame136[] = {11,66,70,3,2,1,2,176,173,27,21,26,3,24,41,58,75,31,48,65,82,38,55,72,89,45,62,79,96,113,130,147,164,53,175,234,208,0};
+inline constexpr std::uint8_t kPayload136[] = {3,24,41,58,75,31,48,65,82,38,55,72,89,45,62,79,96,113,130,147,164};
+inline bool matches136(const std::uint8_t* payload, std::size_t size) {
   wire::SequenceEvent m;
   return wire::decode(m, payload, size).code == wire::ErrorCode::kOk && encodes_to(m, payload, size) && m.news == static_cast<wire::SequenceNews>(3) && m.run_id == 1262102808ULL && m.table_hash == 1380003871ULL && m.exposures == 1497904934ULL && m.at_us == 11858965667255369261ULL;
 }
-inline constexpr std::uint8_t kFrame127[] = {11,66,70,3,2,1,2,176,173,27,21,2,1,1,1,1,1,1,1,1,1,1,1,1,1,1,1,1,1,1,1,1,5,42,68,101,203,0};
-inline constexpr std::uint8_t kPayload127[] = {1,0,0,0,0,0,0,0,0,0,0,0,0,0,0,0,0,0,0,0,0};
-inline bool matches127(const std::uint8_t* payload, std::size_t size) {
+inline constexpr std::uint8_t kFrame137[] = {11,66,70,3,2,1,2,176,173,27,21,2,1,1,1,1,1,1,1,1,1,1,1,1,1,1,1,1,1,1,1,1,5,42,68,101,203,0};
+inline constexpr std::uint8_t kPayload137[] = {1,0,0,0,0,0,0,0,0,0,0,0,0,0,0,0,0,0,0,0,0};
+inline bool matches137(const std::uint8_t* payload, std::size_t size) {
   wire::SequenceEvent m;
   return wire::decode(m, payload, size).code == wire::ErrorCode::kOk && encodes_to(m, payload, size) && m.news == static_cast<wire::SequenceNews>(1) && m.run_id == 0ULL && m.table_hash == 0ULL && m.exposures == 0ULL && m.at_us == 0ULL;
 }
-inline constexpr std::uint8_t kFrame128[] = {11,66,70,3,2,1,2,176,173,27,21,26,5,255,255,255,255,255,255,255,255,255,255,255,255,255,255,255,255,255,255,255,255,172,169,190,250,0};
-inline constexpr std::uint8_t kPayload128[] = {5,255,255,255,255,255,255,255,255,255,255,255,255,255,255,255,255,255,255,255,255};
-inline bool matches128(const std::uint8_t* payload, std::size_t size) {
+inline constexpr std::uint8_t kFrame138[] = {11,66,70,3,2,1,2,176,173,27,21,26,5,255,255,255,255,255,255,255,255,255,255,255,255,255,255,255,255,255,255,255,255,172,169,190,250,0};
+inline constexpr std::uint8_t kPayload138[] = {5,255,255,255,255,255,255,255,255,255,255,255,255,255,255,255,255,255,255,255,255};
+inline bool matches138(const std::uint8_t* payload, std::size_t size) {
   wire::SequenceEvent m;
   return wire::decode(m, payload, size).code == wire::ErrorCode::kOk && encodes_to(m, payload, size) && m.news == static_cast<wire::SequenceNews>(5) && m.run_id == 4294967295ULL && m.table_hash == 4294967295ULL && m.exposures == 4294967295ULL && m.at_us == 18446744073709551615ULL;
 }
-inline constexpr std::uint8_t kFrame129[] = {11,67,71,3,2,1,2,176,173,27,19,24,5,24,41,58,75,31,48,38,55,72,89,106,123,140,157,45,62,79,96,158,228,210,85,0};
-inline constexpr std::uint8_t kPayload129[] = {5,24,41,58,75,31,48,38,55,72,89,106,123,140,157,45,62,79,96};
-inline bool matches129(const std::uint8_t* payload, std::size_t size) {
+inline constexpr std::uint8_t kFrame139[] = {11,67,71,3,2,1,2,176,173,27,19,24,5,24,41,58,75,31,48,38,55,72,89,106,123,140,157,45,62,79,96,158,228,210,85,0};
+inline constexpr std::uint8_t kPayload139[] = {5,24,41,58,75,31,48,38,55,72,89,106,123,140,157,45,62,79,96};
+inline bool matches139(const std::uint8_t* payload, std::size_t size) {
   wire::FaultEvent m;
   return wire::decode(m, payload, size).code == wire::ErrorCode::kOk && encodes_to(m, payload, size) && m.reason == static_cast<wire::FaultReason>(5) && m.run_id == 1262102808ULL && m.step == 12319ULL && m.at_us == 11352584457388832550ULL && m.detail == 1615805997ULL;
 }
-inline constexpr std::uint8_t kFrame130[] = {11,67,71,3,2,1,2,176,173,27,19,1,1,1,1,1,1,1,1,1,1,1,1,1,1,1,1,1,1,1,5,91,120,219,55,0};
-inline constexpr std::uint8_t kPayload130[] = {0,0,0,0,0,0,0,0,0,0,0,0,0,0,0,0,0,0,0};
-inline bool matches130(const std::uint8_t* payload, std::size_t size) {
+inline constexpr std::uint8_t kFrame140[] = {11,67,71,3,2,1,2,176,173,27,19,1,1,1,1,1,1,1,1,1,1,1,1,1,1,1,1,1,1,1,5,91,120,219,55,0};
+inline constexpr std::uint8_t kPayload140[] = {0,0,0,0,0,0,0,0,0,0,0,0,0,0,0,0,0,0,0};
+inline bool matches140(const std::uint8_t* payload, std::size_t size) {
   wire::FaultEvent m;
   return wire::decode(m, payload, size).code == wire::ErrorCode::kOk && encodes_to(m, payload, size) && m.reason == static_cast<wire::FaultReason>(0) && m.run_id == 0ULL && m.step == 0ULL && m.at_us == 0ULL && m.detail == 0ULL;
 }
-inline constexpr std::uint8_t kFrame131[] = {11,67,71,3,2,1,2,176,173,27,19,24,9,255,255,255,255,255,255,255,255,255,255,255,255,255,255,255,255,255,255,38,136,86,179,0};
-inline constexpr std::uint8_t kPayload131[] = {9,255,255,255,255,255,255,255,255,255,255,255,255,255,255,255,255,255,255};
-inline bool matches131(const std::uint8_t* payload, std::size_t size) {
+inline constexpr std::uint8_t kFrame141[] = {11,67,71,3,2,1,2,176,173,27,19,24,9,255,255,255,255,255,255,255,255,255,255,255,255,255,255,255,255,255,255,38,136,86,179,0};
+inline constexpr std::uint8_t kPayload141[] = {9,255,255,255,255,255,255,255,255,255,255,255,255,255,255,255,255,255,255};
+inline bool matches141(const std::uint8_t* payload, std::size_t size) {
   wire::FaultEvent m;
   return wire::decode(m, payload, size).code == wire::ErrorCode::kOk && encodes_to(m, payload, size) && m.reason == static_cast<wire::FaultReason>(9) && m.run_id == 4294967295ULL && m.step == 65535ULL && m.at_us == 18446744073709551615ULL && m.detail == 4294967295ULL;
 }
-inline constexpr std::uint8_t kFrame132[] = {14,17,21,3,2,1,2,176,173,27,2,1,3,2,1,1,1,1,1,1,1,1,1,1,1,1,1,1,1,1,1,1,1,1,1,1,1,1,1,1,1,1,1,1,1,1,1,1,1,1,1,1,1,1,1,1,1,1,1,1,1,1,1,1,1,1,1,1,1,1,1,1,1,1,1,1,1,1,1,1,1,1,1,1,1,1,1,1,1,1,1,1,1,1,1,1,1,1,1,1,1,1,1,1,1,1,1,1,1,1,1,1,1,1,1,1,1,1,1,1,1,1,1,1,1,1,1,1,1,1,1,1,1,1,1,1,1,1,1,1,1,1,1,1,1,1,1,1,1,1,1,1,1,1,1,1,1,1,1,1,1,1,1,1,1,1,1,1,1,1,1,1,1,1,1,1,1,1,1,1,1,1,1,1,1,1,1,1,1,1,1,1,1,1,1,1,1,1,1,1,1,1,1,1,1,1,1,1,1,1,1,1,1,1,1,1,1,1,1,1,1,1,1,1,1,1,1,1,1,1,1,1,1,1,1,1,1,1,1,1,1,1,1,1,1,1,1,1,1,1,1,1,1,1,1,1,1,1,1,1,1,1,1,1,1,1,1,1,1,5,251,215,211,146,0};
-inline constexpr std::uint8_t kPayload132[] = {3,2,0,0,0,0,0,0,0,0,0,0,0,0,0,0,0,0,0,0,0,0,0,0,0,0,0,0,0,0,0,0,0,0,0,0,0,0,0,0,0,0,0,0,0,0,0,0,0,0,0,0,0,0,0,0,0,0,0,0,0,0,0,0,0,0,0,0,0,0,0,0,0,0,0,0,0,0,0,0,0,0,0,0,0,0,0,0,0,0,0,0,0,0,0,0,0,0,0,0,0,0,0,0,0,0,0,0,0,0,0,0,0,0,0,0,0,0,0,0,0,0,0,0,0,0,0,0,0,0,0,0,0,0,0,0,0,0,0,0,0,0,0,0,0,0,0,0,0,0,0,0,0,0,0,0,0,0,0,0,0,0,0,0,0,0,0,0,0,0,0,0,0,0,0,0,0,0,0,0,0,0,0,0,0,0,0,0,0,0,0,0,0,0,0,0,0,0,0,0,0,0,0,0,0,0,0,0,0,0,0,0,0,0,0,0,0,0,0,0,0,0,0,0,0,0,0,0,0,0,0,0,0,0,0,0,0,0,0,0,0,0,0,0,0,0,0,0,0,0,0,0,0,0,0,0,0,0};
-inline bool matches132(const std::uint8_t* payload, std::size_t size) {
+inline constexpr std::uint8_t kFrame142[] = {14,17,21,3,2,1,2,176,173,27,2,1,3,2,1,1,1,1,1,1,1,1,1,1,1,1,1,1,1,1,1,1,1,1,1,1,1,1,1,1,1,1,1,1,1,1,1,1,1,1,1,1,1,1,1,1,1,1,1,1,1,1,1,1,1,1,1,1,1,1,1,1,1,1,1,1,1,1,1,1,1,1,1,1,1,1,1,1,1,1,1,1,1,1,1,1,1,1,1,1,1,1,1,1,1,1,1,1,1,1,1,1,1,1,1,1,1,1,1,1,1,1,1,1,1,1,1,1,1,1,1,1,1,1,1,1,1,1,1,1,1,1,1,1,1,1,1,1,1,1,1,1,1,1,1,1,1,1,1,1,1,1,1,1,1,1,1,1,1,1,1,1,1,1,1,1,1,1,1,1,1,1,1,1,1,1,1,1,1,1,1,1,1,1,1,1,1,1,1,1,1,1,1,1,1,1,1,1,1,1,1,1,1,1,1,1,1,1,1,1,1,1,1,1,1,1,1,1,1,1,1,1,1,1,1,1,1,1,1,1,1,1,1,1,1,1,1,1,1,1,1,1,1,1,1,1,1,1,1,1,1,1,1,1,1,1,1,1,1,5,251,215,211,146,0};
+inline constexpr std::uint8_t kPayload142[] = {3,2,0,0,0,0,0,0,0,0,0,0,0,0,0,0,0,0,0,0,0,0,0,0,0,0,0,0,0,0,0,0,0,0,0,0,0,0,0,0,0,0,0,0,0,0,0,0,0,0,0,0,0,0,0,0,0,0,0,0,0,0,0,0,0,0,0,0,0,0,0,0,0,0,0,0,0,0,0,0,0,0,0,0,0,0,0,0,0,0,0,0,0,0,0,0,0,0,0,0,0,0,0,0,0,0,0,0,0,0,0,0,0,0,0,0,0,0,0,0,0,0,0,0,0,0,0,0,0,0,0,0,0,0,0,0,0,0,0,0,0,0,0,0,0,0,0,0,0,0,0,0,0,0,0,0,0,0,0,0,0,0,0,0,0,0,0,0,0,0,0,0,0,0,0,0,0,0,0,0,0,0,0,0,0,0,0,0,0,0,0,0,0,0,0,0,0,0,0,0,0,0,0,0,0,0,0,0,0,0,0,0,0,0,0,0,0,0,0,0,0,0,0,0,0,0,0,0,0,0,0,0,0,0,0,0,0,0,0,0,0,0,0,0,0,0,0,0,0,0,0,0,0,0,0,0,0,0};
+inline bool matches142(const std::uint8_t* payload, std::size_t size) {
   wire::ApertureChunkRequest m;
   static constexpr std::uint8_t data[] = {0,0,0,0,0,0,0,0,0,0,0,0,0,0,0,0,0,0,0,0,0,0,0,0,0,0,0,0,0,0,0,0,0,0,0,0,0,0,0,0,0,0,0,0,0,0,0,0,0,0,0,0,0,0,0,0,0,0,0,0,0,0,0,0,0,0,0,0,0,0,0,0,0,0,0,0,0,0,0,0,0,0,0,0,0,0,0,0,0,0,0,0,0,0,0,0,0,0,0,0,0,0,0,0,0,0,0,0,0,0,0,0,0,0,0,0,0,0,0,0,0,0,0,0,0,0,0,0,0,0,0,0,0,0,0,0,0,0,0,0,0,0,0,0,0,0,0,0,0,0,0,0,0,0,0,0,0,0,0,0,0,0,0,0,0,0,0,0,0,0,0,0,0,0,0,0,0,0,0,0,0,0,0,0,0,0,0,0,0,0,0,0,0,0,0,0,0,0,0,0,0,0,0,0,0,0,0,0,0,0,0,0,0,0,0,0,0,0,0,0,0,0,0,0,0,0,0,0,0,0,0,0,0,0,0,0,0,0,0,0,0,0,0,0,0,0,0,0,0,0,0,0,0,0,0,0};
   return wire::decode(m, payload, size).code == wire::ErrorCode::kOk && encodes_to(m, payload, size) && m.slot == 3ULL && m.chunk == 2ULL && std::memcmp(m.data, data, sizeof data) == 0;
 }
-inline constexpr std::uint8_t kFrame133[] = {255,17,21,3,2,1,2,176,173,27,2,1,3,2,255,255,255,255,255,255,255,255,255,255,255,255,255,255,255,255,255,255,255,255,255,255,255,255,255,255,255,255,255,255,255,255,255,255,255,255,255,255,255,255,255,255,255,255,255,255,255,255,255,255,255,255,255,255,255,255,255,255,255,255,255,255,255,255,255,255,255,255,255,255,255,255,255,255,255,255,255,255,255,255,255,255,255,255,255,255,255,255,255,255,255,255,255,255,255,255,255,255,255,255,255,255,255,255,255,255,255,255,255,255,255,255,255,255,255,255,255,255,255,255,255,255,255,255,255,255,255,255,255,255,255,255,255,255,255,255,255,255,255,255,255,255,255,255,255,255,255,255,255,255,255,255,255,255,255,255,255,255,255,255,255,255,255,255,255,255,255,255,255,255,255,255,255,255,255,255,255,255,255,255,255,255,255,255,255,255,255,255,255,255,255,255,255,255,255,255,255,255,255,255,255,255,255,255,255,255,255,255,255,255,255,255,255,255,255,255,255,255,255,255,255,255,255,255,255,255,255,255,255,255,255,255,255,255,255,255,255,255,255,255,255,20,255,255,255,255,255,255,255,255,255,255,255,255,255,255,255,130,250,237,97,0};
-inline constexpr std::uint8_t kPayload133[] = {3,2,255,255,255,255,255,255,255,255,255,255,255,255,255,255,255,255,255,255,255,255,255,255,255,255,255,255,255,255,255,255,255,255,255,255,255,255,255,255,255,255,255,255,255,255,255,255,255,255,255,255,255,255,255,255,255,255,255,255,255,255,255,255,255,255,255,255,255,255,255,255,255,255,255,255,255,255,255,255,255,255,255,255,255,255,255,255,255,255,255,255,255,255,255,255,255,255,255,255,255,255,255,255,255,255,255,255,255,255,255,255,255,255,255,255,255,255,255,255,255,255,255,255,255,255,255,255,255,255,255,255,255,255,255,255,255,255,255,255,255,255,255,255,255,255,255,255,255,255,255,255,255,255,255,255,255,255,255,255,255,255,255,255,255,255,255,255,255,255,255,255,255,255,255,255,255,255,255,255,255,255,255,255,255,255,255,255,255,255,255,255,255,255,255,255,255,255,255,255,255,255,255,255,255,255,255,255,255,255,255,255,255,255,255,255,255,255,255,255,255,255,255,255,255,255,255,255,255,255,255,255,255,255,255,255,255,255,255,255,255,255,255,255,255,255,255,255,255,255,255,255,255,255,255,255,255,255};
-inline bool matches133(const std::uint8_t* payload, std::size_t size) {
+inline constexpr std::uint8_t kFrame143[] = {255,17,21,3,2,1,2,176,173,27,2,1,3,2,255,255,255,255,255,255,255,255,255,255,255,255,255,255,255,255,255,255,255,255,255,255,255,255,255,255,255,255,255,255,255,255,255,255,255,255,255,255,255,255,255,255,255,255,255,255,255,255,255,255,255,255,255,255,255,255,255,255,255,255,255,255,255,255,255,255,255,255,255,255,255,255,255,255,255,255,255,255,255,255,255,255,255,255,255,255,255,255,255,255,255,255,255,255,255,255,255,255,255,255,255,255,255,255,255,255,255,255,255,255,255,255,255,255,255,255,255,255,255,255,255,255,255,255,255,255,255,255,255,255,255,255,255,255,255,255,255,255,255,255,255,255,255,255,255,255,255,255,255,255,255,255,255,255,255,255,255,255,255,255,255,255,255,255,255,255,255,255,255,255,255,255,255,255,255,255,255,255,255,255,255,255,255,255,255,255,255,255,255,255,255,255,255,255,255,255,255,255,255,255,255,255,255,255,255,255,255,255,255,255,255,255,255,255,255,255,255,255,255,255,255,255,255,255,255,255,255,255,255,255,255,255,255,255,255,255,255,255,255,255,255,20,255,255,255,255,255,255,255,255,255,255,255,255,255,255,255,130,250,237,97,0};
+inline constexpr std::uint8_t kPayload143[] = {3,2,255,255,255,255,255,255,255,255,255,255,255,255,255,255,255,255,255,255,255,255,255,255,255,255,255,255,255,255,255,255,255,255,255,255,255,255,255,255,255,255,255,255,255,255,255,255,255,255,255,255,255,255,255,255,255,255,255,255,255,255,255,255,255,255,255,255,255,255,255,255,255,255,255,255,255,255,255,255,255,255,255,255,255,255,255,255,255,255,255,255,255,255,255,255,255,255,255,255,255,255,255,255,255,255,255,255,255,255,255,255,255,255,255,255,255,255,255,255,255,255,255,255,255,255,255,255,255,255,255,255,255,255,255,255,255,255,255,255,255,255,255,255,255,255,255,255,255,255,255,255,255,255,255,255,255,255,255,255,255,255,255,255,255,255,255,255,255,255,255,255,255,255,255,255,255,255,255,255,255,255,255,255,255,255,255,255,255,255,255,255,255,255,255,255,255,255,255,255,255,255,255,255,255,255,255,255,255,255,255,255,255,255,255,255,255,255,255,255,255,255,255,255,255,255,255,255,255,255,255,255,255,255,255,255,255,255,255,255,255,255,255,255,255,255,255,255,255,255,255,255,255,255,255,255,255,255};
+inline bool matches143(const std::uint8_t* payload, std::size_t size) {
   wire::ApertureChunkRequest m;
   static constexpr std::uint8_t data[] = {255,255,255,255,255,255,255,255,255,255,255,255,255,255,255,255,255,255,255,255,255,255,255,255,255,255,255,255,255,255,255,255,255,255,255,255,255,255,255,255,255,255,255,255,255,255,255,255,255,255,255,255,255,255,255,255,255,255,255,255,255,255,255,255,255,255,255,255,255,255,255,255,255,255,255,255,255,255,255,255,255,255,255,255,255,255,255,255,255,255,255,255,255,255,255,255,255,255,255,255,255,255,255,255,255,255,255,255,255,255,255,255,255,255,255,255,255,255,255,255,255,255,255,255,255,255,255,255,255,255,255,255,255,255,255,255,255,255,255,255,255,255,255,255,255,255,255,255,255,255,255,255,255,255,255,255,255,255,255,255,255,255,255,255,255,255,255,255,255,255,255,255,255,255,255,255,255,255,255,255,255,255,255,255,255,255,255,255,255,255,255,255,255,255,255,255,255,255,255,255,255,255,255,255,255,255,255,255,255,255,255,255,255,255,255,255,255,255,255,255,255,255,255,255,255,255,255,255,255,255,255,255,255,255,255,255,255,255,255,255,255,255,255,255,255,255,255,255,255,255,255,255,255,255,255,255};
   return wire::decode(m, payload, size).code == wire::ErrorCode::kOk && encodes_to(m, payload, size) && m.slot == 3ULL && m.chunk == 2ULL && std::memcmp(m.data, data, sizeof data) == 0;
 }
-inline constexpr std::uint8_t kFrame134[] = {14,17,21,3,2,1,2,176,173,27,2,1,3,2,254,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,1,5,237,234,55,93,0};
-inline constexpr std::uint8_t kPayload134[] = {3,2,0,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,0,0};
-inline bool matches134(const std::uint8_t* payload, std::size_t size) {
+inline constexpr std::uint8_t kFrame144[] = {14,17,21,3,2,1,2,176,173,27,2,1,3,2,254,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,1,5,237,234,55,93,0};
+inline constexpr std::uint8_t kPayload144[] = {3,2,0,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,0,0};
+inline bool matches144(const std::uint8_t* payload, std::size_t size) {
   wire::ApertureChunkRequest m;
   static constexpr std::uint8_t data[] = {0,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,0,0};
   return wire::decode(m, payload, size).code == wire::ErrorCode::kOk && encodes_to(m, payload, size) && m.slot == 3ULL && m.chunk == 2ULL && std::memcmp(m.data, data, sizeof data) == 0;
 }
-inline constexpr std::uint8_t kFrame135[] = {14,17,21,3,2,1,2,176,173,27,2,1,3,2,255,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,1,5,51,95,99,29,0};
-inline constexpr std::uint8_t kPayload135[] = {3,2,0,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,0};
-inline bool matches135(const std::uint8_t* payload, std::size_t size) {
+inline constexpr std::uint8_t kFrame145[] = {14,17,21,3,2,1,2,176,173,27,2,1,3,2,255,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,1,5,51,95,99,29,0};
+inline constexpr std::uint8_t kPayload145[] = {3,2,0,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,0};
+inline bool matches145(const std::uint8_t* payload, std::size_t size) {
   wire::ApertureChunkRequest m;
   static constexpr std::uint8_t data[] = {0,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,0};
   return wire::decode(m, payload, size).code == wire::ErrorCode::kOk && encodes_to(m, payload, size) && m.slot == 3ULL && m.chunk == 2ULL && std::memcmp(m.data, data, sizeof data) == 0;
 }
-inline constexpr std::uint8_t kFrame136[] = {14,17,21,3,2,1,2,176,173,27,2,1,3,2,255,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,6,90,217,231,221,150,0};
-inline constexpr std::uint8_t kPayload136[] = {3,2,0,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90};
-inline bool matches136(const std::uint8_t* payload, std::size_t size) {
+inline constexpr std::uint8_t kFrame146[] = {14,17,21,3,2,1,2,176,173,27,2,1,3,2,255,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,6,90,217,231,221,150,0};
+inline constexpr std::uint8_t kPayload146[] = {3,2,0,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90};
+inline bool matches146(const std::uint8_t* payload, std::size_t size) {
   wire::ApertureChunkRequest m;
   static constexpr std::uint8_t data[] = {0,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90,90};
   return wire::decode(m, payload, size).code == wire::ErrorCode::kOk && encodes_to(m, payload, size) && m.slot == 3ULL && m.chunk == 2ULL && std::memcmp(m.data, data, sizeof data) == 0;
 }
-inline constexpr std::uint8_t kFrame137[] = {11,1,5,3,2,1,2,176,173,27,1,6,1,29,102,115,108,0};
-inline constexpr std::uint8_t kPayload137[] = {1};
-inline constexpr std::uint8_t kFrame138[] = {11,129,133,3,2,1,2,176,173,27,109,45,17,34,24,31,38,45,52,59,66,73,80,87,94,101,108,115,122,129,102,105,114,109,119,97,114,101,95,118,101,114,115,105,111,110,103,105,116,95,104,97,115,104,45,51,1,1,1,1,1,8,98,111,97,114,100,45,52,1,1,1,1,1,1,1,1,16,115,101,114,105,97,108,95,110,117,109,98,101,114,45,53,2,8,1,1,28,4,73,90,107,124,80,97,114,131,87,94,101,108,125,115,122,129,136,143,150,157,164,1,168,195,174,96,0};
-inline constexpr std::uint8_t kPayload138[] = {17,34,24,31,38,45,52,59,66,73,80,87,94,101,108,115,122,129,102,105,114,109,119,97,114,101,95,118,101,114,115,105,111,110,103,105,116,95,104,97,115,104,45,51,0,0,0,0,0,0,98,111,97,114,100,45,52,0,0,0,0,0,0,0,0,0,115,101,114,105,97,108,95,110,117,109,98,101,114,45,53,0,8,0,0,0,4,73,90,107,124,80,97,114,131,87,94,101,108,125,115,122,129,136,143,150,157,164,1};
-inline constexpr std::uint8_t kFrame139[] = {11,129,133,3,2,1,2,176,173,27,107,45,17,34,24,31,38,45,52,59,66,73,80,87,94,101,108,115,122,129,102,105,114,109,119,97,114,101,95,118,101,114,115,105,111,110,103,105,116,95,104,97,115,104,45,51,1,1,1,1,1,8,98,111,97,114,100,45,52,1,1,1,1,1,1,1,1,16,115,101,114,105,97,108,95,110,117,109,98,101,114,45,53,2,8,1,1,26,4,73,90,107,124,80,97,114,131,87,94,101,108,125,115,122,129,136,143,150,157,158,185,246,219,0};
-inline constexpr std::uint8_t kPayload139[] = {17,34,24,31,38,45,52,59,66,73,80,87,94,101,108,115,122,129,102,105,114,109,119,97,114,101,95,118,101,114,115,105,111,110,103,105,116,95,104,97,115,104,45,51,0,0,0,0,0,0,98,111,97,114,100,45,52,0,0,0,0,0,0,0,0,0,115,101,114,105,97,108,95,110,117,109,98,101,114,45,53,0,8,0,0,0,4,73,90,107,124,80,97,114,131,87,94,101,108,125,115,122,129,136,143,150,157};
-inline constexpr std::uint8_t kFrame140[] = {11,129,133,3,2,1,2,176,173,27,108,22,17,34,24,31,38,45,52,59,66,73,80,87,94,101,108,115,122,129,97,10,98,1,1,1,1,1,1,1,1,1,1,1,1,11,103,105,116,95,104,97,115,104,45,51,1,1,1,1,1,8,98,111,97,114,100,45,52,1,1,1,1,1,1,1,1,16,115,101,114,105,97,108,95,110,117,109,98,101,114,45,53,2,8,1,1,27,4,73,90,107,124,80,97,114,131,87,94,101,108,125,115,122,129,136,143,150,157,164,82,86,104,118,0};
-inline constexpr std::uint8_t kPayload140[] = {17,34,24,31,38,45,52,59,66,73,80,87,94,101,108,115,122,129,97,10,98,0,0,0,0,0,0,0,0,0,0,0,0,0,103,105,116,95,104,97,115,104,45,51,0,0,0,0,0,0,98,111,97,114,100,45,52,0,0,0,0,0,0,0,0,0,115,101,114,105,97,108,95,110,117,109,98,101,114,45,53,0,8,0,0,0,4,73,90,107,124,80,97,114,131,87,94,101,108,125,115,122,129,136,143,150,157,164};
-inline constexpr std::uint8_t kFrame141[] = {11,129,133,3,2,1,2,176,173,27,108,20,17,34,24,31,38,45,52,59,66,73,80,87,94,101,108,115,122,129,97,2,98,1,1,1,1,1,1,1,1,1,1,1,1,11,103,105,116,95,104,97,115,104,45,51,1,1,1,1,1,8,98,111,97,114,100,45,52,1,1,1,1,1,1,1,1,16,115,101,114,105,97,108,95,110,117,109,98,101,114,45,53,2,8,1,1,27,4,73,90,107,124,80,97,114,131,87,94,101,108,125,115,122,129,136,143,150,157,164,128,237,17,41,0};
-inline constexpr std::uint8_t kPayload141[] = {17,34,24,31,38,45,52,59,66,73,80,87,94,101,108,115,122,129,97,0,98,0,0,0,0,0,0,0,0,0,0,0,0,0,103,105,116,95,104,97,115,104,45,51,0,0,0,0,0,0,98,111,97,114,100,45,52,0,0,0,0,0,0,0,0,0,115,101,114,105,97,108,95,110,117,109,98,101,114,45,53,0,8,0,0,0,4,73,90,107,124,80,97,114,131,87,94,101,108,125,115,122,129,136,143,150,157,164};
-inline constexpr std::uint8_t kFrame142[] = {11,129,133,3,2,1,2,176,173,27,108,38,17,34,24,31,38,45,52,59,66,73,80,87,94,101,108,115,122,129,102,105,114,109,119,97,114,101,95,118,101,114,115,105,111,110,97,10,98,1,1,1,1,1,1,1,1,1,1,1,1,8,98,111,97,114,100,45,52,1,1,1,1,1,1,1,1,16,115,101,114,105,97,108,95,110,117,109,98,101,114,45,53,2,8,1,1,27,4,73,90,107,124,80,97,114,131,87,94,101,108,125,115,122,129,136,143,150,157,164,51,203,33,65,0};
-inline constexpr std::uint8_t kPayload142[] = {17,34,24,31,38,45,52,59,66,73,80,87,94,101,108,115,122,129,102,105,114,109,119,97,114,101,95,118,101,114,115,105,111,110,97,10,98,0,0,0,0,0,0,0,0,0,0,0,0,0,98,111,97,114,100,45,52,0,0,0,0,0,0,0,0,0,115,101,114,105,97,108,95,110,117,109,98,101,114,45,53,0,8,0,0,0,4,73,90,107,124,80,97,114,131,87,94,101,108,125,115,122,129,136,143,150,157,164};
-inline constexpr std::uint8_t kFrame143[] = {11,129,133,3,2,1,2,176,173,27,108,36,17,34,24,31,38,45,52,59,66,73,80,87,94,101,108,115,122,129,102,105,114,109,119,97,114,101,95,118,101,114,115,105,111,110,97,2,98,1,1,1,1,1,1,1,1,1,1,1,1,8,98,111,97,114,100,45,52,1,1,1,1,1,1,1,1,16,115,101,114,105,97,108,95,110,117,109,98,101,114,45,53,2,8,1,1,27,4,73,90,107,124,80,97,114,131,87,94,101,108,125,115,122,129,136,143,150,157,164,26,140,110,166,0};
-inline constexpr std::uint8_t kPayload143[] = {17,34,24,31,38,45,52,59,66,73,80,87,94,101,108,115,122,129,102,105,114,109,119,97,114,101,95,118,101,114,115,105,111,110,97,0,98,0,0,0,0,0,0,0,0,0,0,0,0,0,98,111,97,114,100,45,52,0,0,0,0,0,0,0,0,0,115,101,114,105,97,108,95,110,117,109,98,101,114,45,53,0,8,0,0,0,4,73,90,107,124,80,97,114,131,87,94,101,108,125,115,122,129,136,143,150,157,164};
-inline constexpr std::uint8_t kFrame144[] = {11,129,133,3,2,1,2,176,173,27,108,45,17,34,24,31,38,45,52,59,66,73,80,87,94,101,108,115,122,129,102,105,114,109,119,97,114,101,95,118,101,114,115,105,111,110,103,105,116,95,104,97,115,104,45,51,1,1,1,1,1,4,97,10,98,1,1,1,1,1,1,1,1,1,1,1,1,16,115,101,114,105,97,108,95,110,117,109,98,101,114,45,53,2,8,1,1,27,4,73,90,107,124,80,97,114,131,87,94,101,108,125,115,122,129,136,143,150,157,164,16,57,184,249,0};
-inline constexpr std::uint8_t kPayload144[] = {17,34,24,31,38,45,52,59,66,73,80,87,94,101,108,115,122,129,102,105,114,109,119,97,114,101,95,118,101,114,115,105,111,110,103,105,116,95,104,97,115,104,45,51,0,0,0,0,0,0,97,10,98,0,0,0,0,0,0,0,0,0,0,0,0,0,115,101,114,105,97,108,95,110,117,109,98,101,114,45,53,0,8,0,0,0,4,73,90,107,124,80,97,114,131,87,94,101,108,125,115,122,129,136,143,150,157,164};
-inline constexpr std::uint8_t kFrame145[] = {11,129,133,3,2,1,2,176,173,27,108,45,17,34,24,31,38,45,52,59,66,73,80,87,94,101,108,115,122,129,102,105,114,109,119,97,114,101,95,118,101,114,115,105,111,110,103,105,116,95,104,97,115,104,45,51,1,1,1,1,1,2,97,2,98,1,1,1,1,1,1,1,1,1,1,1,1,16,115,101,114,105,97,108,95,110,117,109,98,101,114,45,53,2,8,1,1,27,4,73,90,107,124,80,97,114,131,87,94,101,108,125,115,122,129,136,143,150,157,164,248,14,187,13,0};
-inline constexpr std::uint8_t kPayload145[] = {17,34,24,31,38,45,52,59,66,73,80,87,94,101,108,115,122,129,102,105,114,109,119,97,114,101,95,118,101,114,115,105,111,110,103,105,116,95,104,97,115,104,45,51,0,0,0,0,0,0,97,0,98,0,0,0,0,0,0,0,0,0,0,0,0,0,115,101,114,105,97,108,95,110,117,109,98,101,114,45,53,0,8,0,0,0,4,73,90,107,124,80,97,114,131,87,94,101,108,125,115,122,129,136,143,150,157,164};
-inline constexpr std::uint8_t kFrame146[] = {11,129,133,3,2,1,2,176,173,27,108,45,17,34,24,31,38,45,52,59,66,73,80,87,94,101,108,115,122,129,102,105,114,109,119,97,114,101,95,118,101,114,115,105,111,110,103,105,116,95,104,97,115,104,45,51,1,1,1,1,1,8,98,111,97,114,100,45,52,1,1,1,1,1,1,1,1,4,97,10,98,1,1,1,1,1,1,1,1,1,1,1,1,2,8,1,1,27,4,73,90,107,124,80,97,114,131,87,94,101,108,125,115,122,129,136,143,150,157,164,117,185,82,112,0};
-inline constexpr std::uint8_t kPayload146[] = {17,34,24,31,38,45,52,59,66,73,80,87,94,101,108,115,122,129,102,105,114,109,119,97,114,101,95,118,101,114,115,105,111,110,103,105,116,95,104,97,115,104,45,51,0,0,0,0,0,0,98,111,97,114,100,45,52,0,0,0,0,0,0,0,0,0,97,10,98,0,0,0,0,0,0,0,0,0,0,0,0,0,8,0,0,0,4,73,90,107,124,80,97,114,131,87,94,101,108,125,115,122,129,136,143,150,157,164};
-inline constexpr std::uint8_t kFrame147[] = {11,129,133,3,2,1,2,176,173,27,108,45,17,34,24,31,38,45,52,59,66,73,80,87,94,101,108,115,122,129,102,105,114,109,119,97,114,101,95,118,101,114,115,105,111,110,103,105,116,95,104,97,115,104,45,51,1,1,1,1,1,8,98,111,97,114,100,45,52,1,1,1,1,1,1,1,1,2,97,2,98,1,1,1,1,1,1,1,1,1,1,1,1,2,8,1,1,27,4,73,90,107,124,80,97,114,131,87,94,101,108,125,115,122,129,136,143,150,157,164,122,2,116,86,0};
-inline constexpr std::uint8_t kPayload147[] = {17,34,24,31,38,45,52,59,66,73,80,87,94,101,108,115,122,129,102,105,114,109,119,97,114,101,95,118,101,114,115,105,111,110,103,105,116,95,104,97,115,104,45,51,0,0,0,0,0,0,98,111,97,114,100,45,52,0,0,0,0,0,0,0,0,0,97,0,98,0,0,0,0,0,0,0,0,0,0,0,0,0,8,0,0,0,4,73,90,107,124,80,97,114,131,87,94,101,108,125,115,122,129,136,143,150,157,164};
-inline constexpr std::uint8_t kFrame148[] = {11,129,133,3,2,1,2,176,173,27,108,45,17,34,24,31,38,45,52,59,66,73,80,87,94,101,108,115,122,129,102,105,114,109,119,97,114,101,95,118,101,114,115,105,111,110,103,105,116,95,104,97,115,104,45,51,1,1,1,1,1,8,98,111,97,114,100,45,52,1,1,1,1,1,1,1,1,16,115,101,114,105,97,108,95,110,117,109,98,101,114,45,53,2,8,1,1,27,8,73,90,107,124,80,97,114,131,87,94,101,108,125,115,122,129,136,143,150,157,164,242,152,189,67,0};
-inline constexpr std::uint8_t kPayload148[] = {17,34,24,31,38,45,52,59,66,73,80,87,94,101,108,115,122,129,102,105,114,109,119,97,114,101,95,118,101,114,115,105,111,110,103,105,116,95,104,97,115,104,45,51,0,0,0,0,0,0,98,111,97,114,100,45,52,0,0,0,0,0,0,0,0,0,115,101,114,105,97,108,95,110,117,109,98,101,114,45,53,0,8,0,0,0,8,73,90,107,124,80,97,114,131,87,94,101,108,125,115,122,129,136,143,150,157,164};
-inline constexpr std::uint8_t kFrame149[] = {11,129,133,3,2,1,2,176,173,27,108,45,17,34,24,31,38,45,52,59,66,73,80,87,94,101,108,115,122,129,102,105,114,109,119,97,114,101,95,118,101,114,115,105,111,110,103,105,116,95,104,97,115,104,45,51,1,1,1,1,1,8,98,111,97,114,100,45,52,1,1,1,1,1,1,1,1,16,115,101,114,105,97,108,95,110,117,109,98,101,114,45,53,2,8,1,1,2,4,1,1,1,22,80,97,114,131,87,94,101,108,125,115,122,129,136,143,150,157,164,180,173,87,126,0};
-inline constexpr std::uint8_t kPayload149[] = {17,34,24,31,38,45,52,59,66,73,80,87,94,101,108,115,122,129,102,105,114,109,119,97,114,101,95,118,101,114,115,105,111,110,103,105,116,95,104,97,115,104,45,51,0,0,0,0,0,0,98,111,97,114,100,45,52,0,0,0,0,0,0,0,0,0,115,101,114,105,97,108,95,110,117,109,98,101,114,45,53,0,8,0,0,0,4,0,0,0,0,80,97,114,131,87,94,101,108,125,115,122,129,136,143,150,157,164};
-inline constexpr std::uint8_t kFrame150[] = {11,2,6,3,2,1,2,176,173,27,5,10,17,34,51,68,1,123,11,101,236,0};
-inline constexpr std::uint8_t kPayload150[] = {17,34,51,68,1};
-inline constexpr std::uint8_t kFrame151[] = {11,2,6,3,2,1,2,176,173,27,3,8,17,34,51,206,72,75,165,0};
-inline constexpr std::uint8_t kPayload151[] = {17,34,51};
-inline constexpr std::uint8_t kFrame152[] = {11,130,134,3,2,1,2,176,173,27,3,8,17,34,1,187,211,133,78,0};
-inline constexpr std::uint8_t kPayload152[] = {17,34,1};
-inline constexpr std::uint8_t kFrame153[] = {11,130,134,3,2,1,2,176,173,27,1,6,17,247,152,158,136,0};
-inline constexpr std::uint8_t kPayload153[] = {17};
-inline constexpr std::uint8_t kFrame154[] = {11,3,7,3,2,1,2,176,173,27,1,6,1,67,65,36,216,0};
-inline constexpr std::uint8_t kPayload154[] = {1};
-inline constexpr std::uint8_t kFrame155[] = {11,131,135,3,2,1,2,176,173,27,38,43,2,5,15,6,1,52,69,86,103,120,137,154,171,59,76,93,110,66,83,100,117,73,90,80,97,114,131,87,104,121,138,94,111,128,145,101,118,1,234,253,223,63,0};
-inline constexpr std::uint8_t kPayload155[] = {2,5,15,6,1,52,69,86,103,120,137,154,171,59,76,93,110,66,83,100,117,73,90,80,97,114,131,87,104,121,138,94,111,128,145,101,118,1};
-inline constexpr std::uint8_t kFrame156[] = {11,131,135,3,2,1,2,176,173,27,36,41,2,5,15,6,1,52,69,86,103,120,137,154,171,59,76,93,110,66,83,100,117,73,90,80,97,114,131,87,104,121,138,94,111,128,145,101,141,202,148,238,0};
-inline constexpr std::uint8_t kPayload156[] = {2,5,15,6,1,52,69,86,103,120,137,154,171,59,76,93,110,66,83,100,117,73,90,80,97,114,131,87,104,121,138,94,111,128,145,101};
-inline constexpr std::uint8_t kFrame157[] = {11,131,135,3,2,1,2,176,173,27,37,42,5,5,15,6,1,52,69,86,103,120,137,154,171,59,76,93,110,66,83,100,117,73,90,80,97,114,131,87,104,121,138,94,111,128,145,101,118,165,50,56,130,0};
-inline constexpr std::uint8_t kPayload157[] = {5,5,15,6,1,52,69,86,103,120,137,154,171,59,76,93,110,66,83,100,117,73,90,80,97,114,131,87,104,121,138,94,111,128,145,101,118};
-inline constexpr std::uint8_t kFrame158[] = {11,131,135,3,2,1,2,176,173,27,37,42,2,10,15,6,1,52,69,86,103,120,137,154,171,59,76,93,110,66,83,100,117,73,90,80,97,114,131,87,104,121,138,94,111,128,145,101,118,61,201,26,154,0};
-inline constexpr std::uint8_t kPayload158[] = {2,10,15,6,1,52,69,86,103,120,137,154,171,59,76,93,110,66,83,100,117,73,90,80,97,114,131,87,104,121,138,94,111,128,145,101,118};
-inline constexpr std::uint8_t kFrame159[] = {11,131,135,3,2,1,2,176,173,27,37,42,2,5,16,6,1,52,69,86,103,120,137,154,171,59,76,93,110,66,83,100,117,73,90,80,97,114,131,87,104,121,138,94,111,128,145,101,118,143,211,252,48,0};
-inline constexpr std::uint8_t kPayload159[] = {2,5,16,6,1,52,69,86,103,120,137,154,171,59,76,93,110,66,83,100,117,73,90,80,97,114,131,87,104,121,138,94,111,128,145,101,118};
-inline constexpr std::uint8_t kFrame160[] = {11,131,135,3,2,1,2,176,173,27,37,42,2,5,15,32,1,52,69,86,103,120,137,154,171,59,76,93,110,66,83,100,117,73,90,80,97,114,131,87,104,121,138,94,111,128,145,101,118,136,142,107,38,0};
-inline constexpr std::uint8_t kPayload160[] = {2,5,15,32,1,52,69,86,103,120,137,154,171,59,76,93,110,66,83,100,117,73,90,80,97,114,131,87,104,121,138,94,111,128,145,101,118};
-inline constexpr std::uint8_t kFrame161[] = {11,131,135,3,2,1,2,176,173,27,37,42,2,5,15,6,2,52,69,86,103,120,137,154,171,59,76,93,110,66,83,100,117,73,90,80,97,114,131,87,104,121,138,94,111,128,145,101,118,111,234,29,237,0};
-inline constexpr std::uint8_t kPayload161[] = {2,5,15,6,2,52,69,86,103,120,137,154,171,59,76,93,110,66,83,100,117,73,90,80,97,114,131,87,104,121,138,94,111,128,145,101,118};
-inline constexpr std::uint8_t kFrame162[] = {11,4,8,3,2,1,2,176,173,27,1,6,1,10,92,68,63,0};
-inline constexpr std::uint8_t kPayload162[] = {1};
-inline constexpr std::uint8_t kFrame163[] = {11,132,136,3,2,1,2,176,173,27,13,18,17,34,51,68,24,41,58,75,31,48,38,55,1,5,5,101,177,0};
-inline constexpr std::uint8_t kPayload163[] = {17,34,51,68,24,41,58,75,31,48,38,55,1};
-inline constexpr std::uint8_t kFrame164[] = {11,132,136,3,2,1,2,176,173,27,11,16,17,34,51,68,24,41,58,75,31,48,38,18,96,33,66,0};
-inline constexpr std::uint8_t kPayload164[] = {17,34,51,68,24,41,58,75,31,48,38};
-inline constexpr std::uint8_t kFrame165[] = {11,16,20,3,2,1,2,176,173,27,35,6,17,16,24,9,31,34,38,7,45,14,52,5,59,12,66,3,73,10,80,1,87,8,94,15,101,6,108,13,115,4,122,11,129,2,1,2,3,217,47,0};
-inline constexpr std::uint8_t kPayload165[] = {17,16,24,9,31,0,38,7,45,14,52,5,59,12,66,3,73,10,80,1,87,8,94,15,101,6,108,13,115,4,122,11,129,2,1};
-inline constexpr std::uint8_t kFrame166[] = {11,16,20,3,2,1,2,176,173,27,33,6,17,16,24,9,31,32,38,7,45,14,52,5,59,12,66,3,73,10,80,1,87,8,94,15,101,6,108,13,115,4,122,11,129,131,75,6,56,0};
-inline constexpr std::uint8_t kPayload166[] = {17,16,24,9,31,0,38,7,45,14,52,5,59,12,66,3,73,10,80,1,87,8,94,15,101,6,108,13,115,4,122,11,129};
-inline constexpr std::uint8_t kFrame167[] = {11,16,20,3,2,1,2,176,173,27,34,6,32,16,24,9,31,33,38,7,45,14,52,5,59,12,66,3,73,10,80,1,87,8,94,15,101,6,108,13,115,4,122,11,129,2,93,90,61,102,0};
-inline constexpr std::uint8_t kPayload167[] = {32,16,24,9,31,0,38,7,45,14,52,5,59,12,66,3,73,10,80,1,87,8,94,15,101,6,108,13,115,4,122,11,129,2};
-inline constexpr std::uint8_t kFrame168[] = {11,16,20,3,2,1,2,176,173,27,4,3,17,1,6,16,56,32,145,11,0};
-inline constexpr std::uint8_t kPayload168[] = {17,1,0,16};
-inline constexpr std::uint8_t kFrame169[] = {11,144,148,3,2,1,2,176,173,27,10,15,17,24,41,58,75,31,48,65,82,1,185,109,177,85,0};
-inline constexpr std::uint8_t kPayload169[] = {17,24,41,58,75,31,48,65,82,1};
-inline constexpr std::uint8_t kFrame170[] = {11,144,148,3,2,1,2,176,173,27,8,13,17,24,41,58,75,31,48,65,252,51,62,33,0};
-inline constexpr std::uint8_t kPayload170[] = {17,24,41,58,75,31,48,65};
-inline constexpr std::uint8_t kFrame171[] = {11,144,148,3,2,1,2,176,173,27,9,10,32,24,41,58,75,31,48,65,82,4,84,137,27,0};
-inline constexpr std::uint8_t kPayload171[] = {32,24,41,58,75,31,48,65,82};
-inline constexpr std::uint8_t kFrame172[] = {13,17,21,3,2,1,2,176,173,27,1,1,1,216,31,38,45,52,59,66,73,80,87,94,101,108,115,122,129,136,143,150,157,164,171,178,185,192,199,206,213,220,227,234,241,248,255,6,13,20,27,34,41,48,55,62,69,76,83,90,97,104,111,118,125,132,139,146,153,160,167,174,181,188,195,202,209,216,223,230,237,244,251,2,9,16,23,30,37,44,51,58,65,72,79,86,93,100,107,114,121,128,135,142,149,156,163,170,177,184,191,198,205,212,219,226,233,240,247,254,5,12,19,26,33,40,47,54,61,68,75,82,89,96,103,110,117,124,131,138,145,152,159,166,173,180,187,194,201,208,215,222,229,236,243,250,1,8,15,22,29,36,43,50,57,64,71,78,85,92,99,106,113,120,127,134,141,148,155,162,169,176,183,190,197,204,211,218,225,232,239,246,253,4,11,18,25,32,39,46,53,60,67,74,81,88,95,102,109,116,123,130,137,144,151,158,165,172,179,186,193,200,207,214,221,228,235,242,249,44,7,14,21,28,35,42,49,56,63,70,77,84,91,98,105,112,119,126,133,140,147,154,161,168,175,182,189,196,203,210,217,224,231,238,245,252,3,10,17,46,230,254,97,0};
-inline constexpr std::uint8_t kPayload172[] = {1,0,31,38,45,52,59,66,73,80,87,94,101,108,115,122,129,136,143,150,157,164,171,178,185,192,199,206,213,220,227,234,241,248,255,6,13,20,27,34,41,48,55,62,69,76,83,90,97,104,111,118,125,132,139,146,153,160,167,174,181,188,195,202,209,216,223,230,237,244,251,2,9,16,23,30,37,44,51,58,65,72,79,86,93,100,107,114,121,128,135,142,149,156,163,170,177,184,191,198,205,212,219,226,233,240,247,254,5,12,19,26,33,40,47,54,61,68,75,82,89,96,103,110,117,124,131,138,145,152,159,166,173,180,187,194,201,208,215,222,229,236,243,250,1,8,15,22,29,36,43,50,57,64,71,78,85,92,99,106,113,120,127,134,141,148,155,162,169,176,183,190,197,204,211,218,225,232,239,246,253,4,11,18,25,32,39,46,53,60,67,74,81,88,95,102,109,116,123,130,137,144,151,158,165,172,179,186,193,200,207,214,221,228,235,242,249,0,7,14,21,28,35,42,49,56,63,70,77,84,91,98,105,112,119,126,133,140,147,154,161,168,175,182,189,196,203,210,217,224,231,238,245,252,3,10,17};
-inline constexpr std::uint8_t kFrame173[] = {13,17,21,3,2,1,2,176,173,27,2,1,16,216,31,38,45,52,59,66,73,80,87,94,101,108,115,122,129,136,143,150,157,164,171,178,185,192,199,206,213,220,227,234,241,248,255,6,13,20,27,34,41,48,55,62,69,76,83,90,97,104,111,118,125,132,139,146,153,160,167,174,181,188,195,202,209,216,223,230,237,244,251,2,9,16,23,30,37,44,51,58,65,72,79,86,93,100,107,114,121,128,135,142,149,156,163,170,177,184,191,198,205,212,219,226,233,240,247,254,5,12,19,26,33,40,47,54,61,68,75,82,89,96,103,110,117,124,131,138,145,152,159,166,173,180,187,194,201,208,215,222,229,236,243,250,1,8,15,22,29,36,43,50,57,64,71,78,85,92,99,106,113,120,127,134,141,148,155,162,169,176,183,190,197,204,211,218,225,232,239,246,253,4,11,18,25,32,39,46,53,60,67,74,81,88,95,102,109,116,123,130,137,144,151,158,165,172,179,186,193,200,207,214,221,228,235,242,249,45,7,14,21,28,35,42,49,56,63,70,77,84,91,98,105,112,119,126,133,140,147,154,161,168,175,182,189,196,203,210,217,224,231,238,245,252,3,10,17,24,7,54,68,103,0};
-inline constexpr std::uint8_t kPayload173[] = {16,0,31,38,45,52,59,66,73,80,87,94,101,108,115,122,129,136,143,150,157,164,171,178,185,192,199,206,213,220,227,234,241,248,255,6,13,20,27,34,41,48,55,62,69,76,83,90,97,104,111,118,125,132,139,146,153,160,167,174,181,188,195,202,209,216,223,230,237,244,251,2,9,16,23,30,37,44,51,58,65,72,79,86,93,100,107,114,121,128,135,142,149,156,163,170,177,184,191,198,205,212,219,226,233,240,247,254,5,12,19,26,33,40,47,54,61,68,75,82,89,96,103,110,117,124,131,138,145,152,159,166,173,180,187,194,201,208,215,222,229,236,243,250,1,8,15,22,29,36,43,50,57,64,71,78,85,92,99,106,113,120,127,134,141,148,155,162,169,176,183,190,197,204,211,218,225,232,239,246,253,4,11,18,25,32,39,46,53,60,67,74,81,88,95,102,109,116,123,130,137,144,151,158,165,172,179,186,193,200,207,214,221,228,235,242,249,0,7,14,21,28,35,42,49,56,63,70,77,84,91,98,105,112,119,126,133,140,147,154,161,168,175,182,189,196,203,210,217,224,231,238,245,252,3,10,17,24};
-inline constexpr std::uint8_t kFrame174[] = {229,17,21,3,2,1,2,176,173,27,2,1,1,4,31,38,45,52,59,66,73,80,87,94,101,108,115,122,129,136,143,150,157,164,171,178,185,192,199,206,213,220,227,234,241,248,255,6,13,20,27,34,41,48,55,62,69,76,83,90,97,104,111,118,125,132,139,146,153,160,167,174,181,188,195,202,209,216,223,230,237,244,251,2,9,16,23,30,37,44,51,58,65,72,79,86,93,100,107,114,121,128,135,142,149,156,163,170,177,184,191,198,205,212,219,226,233,240,247,254,5,12,19,26,33,40,47,54,61,68,75,82,89,96,103,110,117,124,131,138,145,152,159,166,173,180,187,194,201,208,215,222,229,236,243,250,1,8,15,22,29,36,43,50,57,64,71,78,85,92,99,106,113,120,127,134,141,148,155,162,169,176,183,190,197,204,211,218,225,232,239,246,253,4,11,18,25,32,39,46,53,60,67,74,81,88,95,102,109,116,123,130,137,144,151,158,165,172,179,186,193,200,207,214,221,228,235,242,249,45,7,14,21,28,35,42,49,56,63,70,77,84,91,98,105,112,119,126,133,140,147,154,161,168,175,182,189,196,203,210,217,224,231,238,245,252,3,10,17,24,255,7,96,169,0};
-inline constexpr std::uint8_t kPayload174[] = {1,4,31,38,45,52,59,66,73,80,87,94,101,108,115,122,129,136,143,150,157,164,171,178,185,192,199,206,213,220,227,234,241,248,255,6,13,20,27,34,41,48,55,62,69,76,83,90,97,104,111,118,125,132,139,146,153,160,167,174,181,188,195,202,209,216,223,230,237,244,251,2,9,16,23,30,37,44,51,58,65,72,79,86,93,100,107,114,121,128,135,142,149,156,163,170,177,184,191,198,205,212,219,226,233,240,247,254,5,12,19,26,33,40,47,54,61,68,75,82,89,96,103,110,117,124,131,138,145,152,159,166,173,180,187,194,201,208,215,222,229,236,243,250,1,8,15,22,29,36,43,50,57,64,71,78,85,92,99,106,113,120,127,134,141,148,155,162,169,176,183,190,197,204,211,218,225,232,239,246,253,4,11,18,25,32,39,46,53,60,67,74,81,88,95,102,109,116,123,130,137,144,151,158,165,172,179,186,193,200,207,214,221,228,235,242,249,0,7,14,21,28,35,42,49,56,63,70,77,84,91,98,105,112,119,126,133,140,147,154,161,168,175,182,189,196,203,210,217,224,231,238,245,252,3,10,17,24};
-inline constexpr std::uint8_t kFrame175[] = {11,145,149,3,2,1,2,176,173,27,3,2,1,6,1,72,229,15,230,0};
-inline constexpr std::uint8_t kPayload175[] = {1,0,1};
-inline constexpr std::uint8_t kFrame176[] = {11,145,149,3,2,1,2,176,173,27,1,6,1,85,21,187,217,0};
-inline constexpr std::uint8_t kPayload176[] = {1};
-inline constexpr std::uint8_t kFrame177[] = {11,145,149,3,2,1,2,176,173,27,2,2,16,5,29,125,182,136,0};
-inline constexpr std::uint8_t kPayload177[] = {16,0};
-inline constexpr std::uint8_t kFrame178[] = {11,145,149,3,2,1,2,176,173,27,2,7,1,4,20,154,2,220,0};
-inline constexpr std::uint8_t kPayload178[] = {1,4};
-inline constexpr std::uint8_t kFrame179[] = {11,18,22,3,2,1,2,176,173,27,6,11,1,24,41,58,75,1,54,69,221,158,0};
-inline constexpr std::uint8_t kPayload179[] = {1,24,41,58,75,1};
-inline constexpr std::uint8_t kFrame180[] = {11,18,22,3,2,1,2,176,173,27,4,9,1,24,41,58,89,204,106,158,0};
-inline constexpr std::uint8_t kPayload180[] = {1,24,41,58};
-inline constexpr std::uint8_t kFrame181[] = {11,18,22,3,2,1,2,176,173,27,5,10,16,24,41,58,75,143,65,210,218,0};
-inline constexpr std::uint8_t kPayload181[] = {16,24,41,58,75};
-inline constexpr std::uint8_t kFrame182[] = {11,146,150,3,2,1,2,176,173,27,8,13,1,24,41,58,75,30,16,1,160,96,127,206,0};
-inline constexpr std::uint8_t kPayload182[] = {1,24,41,58,75,30,16,1};
-inline constexpr std::uint8_t kFrame183[] = {11,146,150,3,2,1,2,176,173,27,6,11,1,24,41,58,75,30,223,110,164,245,0};
-inline constexpr std::uint8_t kPayload183[] = {1,24,41,58,75,30};
-inline constexpr std::uint8_t kFrame184[] = {11,146,150,3,2,1,2,176,173,27,7,12,16,24,41,58,75,30,16,251,23,254,15,0};
-inline constexpr std::uint8_t kPayload184[] = {16,24,41,58,75,30,16};
-inline constexpr std::uint8_t kFrame185[] = {11,146,150,3,2,1,2,176,173,27,7,12,1,24,41,58,75,1,32,179,190,212,37,0};
-inline constexpr std::uint8_t kPayload185[] = {1,24,41,58,75,1,32};
-inline constexpr std::uint8_t kFrame186[] = {11,19,23,3,2,1,2,176,173,27,2,7,1,1,184,15,162,224,0};
-inline constexpr std::uint8_t kPayload186[] = {1,1};
-inline constexpr std::uint8_t kFrame187[] = {10,19,23,3,2,1,2,176,173,27,1,5,237,157,67,182,0};
-inline constexpr std::uint8_t kFrame188[] = {11,19,23,3,2,1,2,176,173,27,1,6,16,134,72,122,16,0};
-inline constexpr std::uint8_t kPayload188[] = {16};
-inline constexpr std::uint8_t kFrame189[] = {11,147,151,3,2,1,2,176,173,27,6,11,1,24,41,58,75,1,248,57,98,81,0};
-inline constexpr std::uint8_t kPayload189[] = {1,24,41,58,75,1};
-inline constexpr std::uint8_t kFrame190[] = {11,147,151,3,2,1,2,176,173,27,4,9,1,24,41,58,158,233,106,119,0};
-inline constexpr std::uint8_t kPayload190[] = {1,24,41,58};
-inline constexpr std::uint8_t kFrame191[] = {11,147,151,3,2,1,2,176,173,27,5,10,16,24,41,58,75,185,22,59,223,0};
-inline constexpr std::uint8_t kPayload191[] = {16,24,41,58,75};
-inline constexpr std::uint8_t kFrame192[] = {11,20,24,3,2,1,2,176,173,27,2,7,17,1,192,132,135,165,0};
-inline constexpr std::uint8_t kPayload192[] = {17,1};
-inline constexpr std::uint8_t kFrame193[] = {10,20,24,3,2,1,2,176,173,27,1,5,227,211,115,110,0};
-inline constexpr std::uint8_t kFrame194[] = {11,20,24,3,2,1,2,176,173,27,1,6,32,99,101,195,209,0};
-inline constexpr std::uint8_t kPayload194[] = {32};
-inline constexpr std::uint8_t kFrame195[] = {11,148,152,3,2,1,2,176,173,27,6,11,17,24,41,58,75,1,18,32,204,252,0};
-inline constexpr std::uint8_t kPayload195[] = {17,24,41,58,75,1};
-inline constexpr std::uint8_t kFrame196[] = {11,148,152,3,2,1,2,176,173,27,4,9,17,24,41,58,237,5,230,234,0};
-inline constexpr std::uint8_t kPayload196[] = {17,24,41,58};
-inline constexpr std::uint8_t kFrame197[] = {11,148,152,3,2,1,2,176,173,27,5,10,32,24,41,58,75,215,149,107,215,0};
-inline constexpr std::uint8_t kPayload197[] = {32,24,41,58,75};
-inline constexpr std::uint8_t kFrame198[] = {11,21,25,3,2,1,2,176,173,27,1,6,1,146,230,129,199,0};
-inline constexpr std::uint8_t kPayload198[] = {1};
-inline constexpr std::uint8_t kFrame199[] = {11,149,153,3,2,1,2,176,173,27,2,7,2,1,79,26,246,66,0};
-inline constexpr std::uint8_t kPayload199[] = {2,1};
-inline constexpr std::uint8_t kFrame200[] = {10,149,153,3,2,1,2,176,173,27,1,5,131,91,219,209,0};
-inline constexpr std::uint8_t kFrame201[] = {11,149,153,3,2,1,2,176,173,27,1,6,5,244,120,202,215,0};
-inline constexpr std::uint8_t kPayload201[] = {5};
-inline constexpr std::uint8_t kFrame202[] = {11,32,36,3,2,1,2,176,173,27,64,69,17,2,5,1,24,31,48,14,143,115,3,33,137,83,3,1,24,31,48,14,143,115,3,33,137,83,3,1,24,31,48,14,143,115,3,33,137,83,3,1,24,31,48,14,143,115,3,33,137,83,3,1,24,31,48,14,143,115,3,33,137,83,3,1,104,159,114,236,0};
-inline constexpr std::uint8_t kPayload202[] = {17,2,5,1,24,31,48,14,143,115,3,33,137,83,3,1,24,31,48,14,143,115,3,33,137,83,3,1,24,31,48,14,143,115,3,33,137,83,3,1,24,31,48,14,143,115,3,33,137,83,3,1,24,31,48,14,143,115,3,33,137,83,3,1};
-inline constexpr std::uint8_t kFrame203[] = {11,32,36,3,2,1,2,176,173,27,62,67,17,2,5,1,24,31,48,14,143,115,3,33,137,83,3,1,24,31,48,14,143,115,3,33,137,83,3,1,24,31,48,14,143,115,3,33,137,83,3,1,24,31,48,14,143,115,3,33,137,83,3,1,24,31,48,14,143,115,3,33,137,83,180,166,152,82,0};
-inline constexpr std::uint8_t kPayload203[] = {17,2,5,1,24,31,48,14,143,115,3,33,137,83,3,1,24,31,48,14,143,115,3,33,137,83,3,1,24,31,48,14,143,115,3,33,137,83,3,1,24,31,48,14,143,115,3,33,137,83,3,1,24,31,48,14,143,115,3,33,137,83};
-inline constexpr std::uint8_t kFrame204[] = {11,32,36,3,2,1,2,176,173,27,63,1,67,4,5,1,24,31,48,14,143,115,3,33,137,83,3,1,24,31,48,14,143,115,3,33,137,83,3,1,24,31,48,14,143,115,3,33,137,83,3,1,24,31,48,14,143,115,3,33,137,83,3,1,24,31,48,14,143,115,3,33,137,83,3,155,154,215,94,0};
-inline constexpr std::uint8_t kPayload204[] = {0,4,5,1,24,31,48,14,143,115,3,33,137,83,3,1,24,31,48,14,143,115,3,33,137,83,3,1,24,31,48,14,143,115,3,33,137,83,3,1,24,31,48,14,143,115,3,33,137,83,3,1,24,31,48,14,143,115,3,33,137,83,3};
-inline constexpr std::uint8_t kFrame205[] = {11,32,36,3,2,1,2,176,173,27,27,32,17,2,2,1,24,31,48,14,143,115,3,33,137,83,3,16,24,31,48,14,143,115,3,33,137,83,3,218,94,5,8,0};
-inline constexpr std::uint8_t kPayload205[] = {17,2,2,1,24,31,48,14,143,115,3,33,137,83,3,16,24,31,48,14,143,115,3,33,137,83,3};
-inline constexpr std::uint8_t kFrame206[] = {11,32,36,3,2,1,2,176,173,27,27,32,17,2,2,1,24,31,48,14,143,115,3,33,137,83,3,1,32,31,48,14,143,115,3,33,137,83,3,16,85,17,13,0};
-inline constexpr std::uint8_t kPayload206[] = {17,2,2,1,24,31,48,14,143,115,3,33,137,83,3,1,32,31,48,14,143,115,3,33,137,83,3};
-inline constexpr std::uint8_t kFrame207[] = {11,32,36,3,2,1,2,176,173,27,27,18,17,2,2,1,24,31,48,14,143,115,3,33,137,83,3,1,24,1,13,14,143,115,3,33,137,83,3,254,229,44,103,0};
-inline constexpr std::uint8_t kPayload207[] = {17,2,2,1,24,31,48,14,143,115,3,33,137,83,3,1,24,0,0,14,143,115,3,33,137,83,3};
-inline constexpr std::uint8_t kFrame208[] = {11,32,36,3,2,1,2,176,173,27,27,28,17,2,2,1,24,31,48,14,143,115,3,33,137,83,3,1,24,31,48,1,135,147,3,33,137,83,3,4,184,51,99,0};
-inline constexpr std::uint8_t kPayload208[] = {17,2,2,1,24,31,48,14,143,115,3,33,137,83,3,1,24,31,48,1,135,147,3,33,137,83,3};
-inline constexpr std::uint8_t kFrame209[] = {11,32,36,3,2,1,2,176,173,27,27,32,17,2,2,1,24,31,48,14,143,115,3,33,137,83,3,1,24,31,48,14,143,115,3,1,135,147,3,51,170,238,254,0};
-inline constexpr std::uint8_t kPayload209[] = {17,2,2,1,24,31,48,14,143,115,3,33,137,83,3,1,24,31,48,14,143,115,3,1,135,147,3};
-inline constexpr std::uint8_t kFrame210[] = {11,32,36,3,2,1,2,176,173,27,27,25,17,2,2,1,24,31,48,14,143,115,3,33,137,83,3,1,24,31,48,14,143,115,3,9,1,1,5,186,7,69,28,0};
-inline constexpr std::uint8_t kPayload210[] = {17,2,2,1,24,31,48,14,143,115,3,33,137,83,3,1,24,31,48,14,143,115,3,9,0,0,0};
-inline constexpr std::uint8_t kFrame211[] = {11,160,164,3,2,1,2,176,173,27,4,9,17,2,7,1,104,210,163,134,0};
-inline constexpr std::uint8_t kPayload211[] = {17,2,7,1};
-inline constexpr std::uint8_t kFrame212[] = {11,160,164,3,2,1,2,176,173,27,2,7,17,2,177,99,192,42,0};
-inline constexpr std::uint8_t kPayload212[] = {17,2};
-inline constexpr std::uint8_t kFrame213[] = {11,160,164,3,2,1,2,176,173,27,3,1,7,4,7,38,126,244,134,0};
-inline constexpr std::uint8_t kPayload213[] = {0,4,7};
-inline constexpr std::uint8_t kFrame214[] = {11,160,164,3,2,1,2,176,173,27,3,8,17,2,17,182,165,158,57,0};
-inline constexpr std::uint8_t kPayload214[] = {17,2,17};
-inline constexpr std::uint8_t kFrame215[] = {11,33,37,3,2,1,2,176,173,27,7,12,18,2,24,41,58,75,1,204,33,98,251,0};
-inline constexpr std::uint8_t kPayload215[] = {18,2,24,41,58,75,1};
-inline constexpr std::uint8_t kFrame216[] = {11,33,37,3,2,1,2,176,173,27,5,10,18,2,24,41,58,50,16,248,249,0};
-inline constexpr std::uint8_t kPayload216[] = {18,2,24,41,58};
-inline constexpr std::uint8_t kFrame217[] = {11,33,37,3,2,1,2,176,173,27,6,11,1,4,24,41,58,75,115,92,175,127,0};
-inline constexpr std::uint8_t kPayload217[] = {1,4,24,41,58,75};
-inline constexpr std::uint8_t kFrame218[] = {11,33,37,3,2,1,2,176,173,27,6,1,1,9,24,41,58,75,22,41,115,65,0};
-inline constexpr std::uint8_t kPayload218[] = {0,0,24,41,58,75};
-inline constexpr std::uint8_t kFrame219[] = {11,161,165,3,2,1,2,176,173,27,11,16,18,2,24,41,58,75,31,48,65,82,1,166,220,57,31,0};
-inline constexpr std::uint8_t kPayload219[] = {18,2,24,41,58,75,31,48,65,82,1};
-inline constexpr std::uint8_t kFrame220[] = {11,161,165,3,2,1,2,176,173,27,9,14,18,2,24,41,58,75,31,48,65,116,27,76,1,0};
-inline constexpr std::uint8_t kPayload220[] = {18,2,24,41,58,75,31,48,65};
-inline constexpr std::uint8_t kFrame221[] = {11,161,165,3,2,1,2,176,173,27,10,15,1,4,24,41,58,75,31,48,65,82,250,183,19,200,0};
-inline constexpr std::uint8_t kPayload221[] = {1,4,24,41,58,75,31,48,65,82};
-inline constexpr std::uint8_t kFrame222[] = {11,161,165,3,2,1,2,176,173,27,10,1,1,13,24,41,58,75,31,48,65,82,200,141,61,122,0};
-inline constexpr std::uint8_t kPayload222[] = {0,0,24,41,58,75,31,48,65,82};
-inline constexpr std::uint8_t kFrame223[] = {11,34,38,3,2,1,2,176,173,27,28,16,17,34,51,68,24,41,58,75,31,48,65,82,13,201,13,3,110,23,1,4,7,144,56,9,59,76,1,1,47,37,35,164,0};
-inline constexpr std::uint8_t kPayload223[] = {17,34,51,68,24,41,58,75,31,48,65,82,13,201,13,0,110,23,0,0,7,144,56,0,59,76,1,1};
-inline constexpr std::uint8_t kFrame224[] = {11,34,38,3,2,1,2,176,173,27,26,16,17,34,51,68,24,41,58,75,31,48,65,82,13,201,13,3,110,23,1,4,7,144,56,7,59,76,115,69,29,227,0};
-inline constexpr std::uint8_t kPayload224[] = {17,34,51,68,24,41,58,75,31,48,65,82,13,201,13,0,110,23,0,0,7,144,56,0,59,76};
-inline constexpr std::uint8_t kFrame225[] = {11,34,38,3,2,1,2,176,173,27,27,1,1,1,1,12,24,41,58,75,31,48,65,82,13,201,13,3,110,23,1,4,7,144,56,8,59,76,1,61,203,132,55,0};
-inline constexpr std::uint8_t kPayload225[] = {0,0,0,0,24,41,58,75,31,48,65,82,13,201,13,0,110,23,0,0,7,144,56,0,59,76,1};
-inline constexpr std::uint8_t kFrame226[] = {11,34,38,3,2,1,2,176,173,27,27,9,17,34,51,68,24,41,58,75,1,1,1,4,13,201,13,3,110,23,1,4,7,144,56,8,59,76,1,160,49,204,185,0};
-inline constexpr std::uint8_t kPayload226[] = {17,34,51,68,24,41,58,75,0,0,0,0,13,201,13,0,110,23,0,0,7,144,56,0,59,76,1};
-inline constexpr std::uint8_t kFrame227[] = {11,34,38,3,2,1,2,176,173,27,27,16,17,34,51,68,24,41,58,75,31,48,65,82,65,66,15,3,110,23,1,4,7,144,56,8,59,76,1,33,136,244,44,0};
-inline constexpr std::uint8_t kPayload227[] = {17,34,51,68,24,41,58,75,31,48,65,82,65,66,15,0,110,23,0,0,7,144,56,0,59,76,1};
-inline constexpr std::uint8_t kFrame228[] = {11,34,38,3,2,1,2,176,173,27,27,16,17,34,51,68,24,41,58,75,31,48,65,82,13,201,13,4,161,134,1,4,7,144,56,8,59,76,1,222,20,174,4,0};
-inline constexpr std::uint8_t kPayload228[] = {17,34,51,68,24,41,58,75,31,48,65,82,13,201,13,0,161,134,1,0,7,144,56,0,59,76,1};
-inline constexpr std::uint8_t kFrame229[] = {11,34,38,3,2,1,2,176,173,27,27,16,17,34,51,68,24,41,58,75,31,48,65,82,13,201,13,1,1,1,1,4,7,144,56,8,59,76,1,83,28,61,200,0};
-inline constexpr std::uint8_t kPayload229[] = {17,34,51,68,24,41,58,75,31,48,65,82,13,201,13,0,0,0,0,0,7,144,56,0,59,76,1};
-inline constexpr std::uint8_t kFrame230[] = {11,34,38,3,2,1,2,176,173,27,27,16,17,34,51,68,24,41,58,75,31,48,65,82,13,201,13,3,110,23,1,4,129,150,152,8,59,76,1,191,152,85,66,0};
-inline constexpr std::uint8_t kPayload230[] = {17,34,51,68,24,41,58,75,31,48,65,82,13,201,13,0,110,23,0,0,129,150,152,0,59,76,1};
-inline constexpr std::uint8_t kFrame231[] = {11,34,38,3,2,1,2,176,173,27,27,16,17,34,51,68,24,41,58,75,31,48,65,82,13,201,13,3,110,23,1,4,7,144,56,8,59,76,2,70,106,228,150,0};
-inline constexpr std::uint8_t kPayload231[] = {17,34,51,68,24,41,58,75,31,48,65,82,13,201,13,0,110,23,0,0,7,144,56,0,59,76,2};
-inline constexpr std::uint8_t kFrame232[] = {11,162,166,3,2,1,2,176,173,27,13,18,17,34,51,68,24,41,58,75,31,48,65,82,1,172,214,10,69,0};
-inline constexpr std::uint8_t kPayload232[] = {17,34,51,68,24,41,58,75,31,48,65,82,1};
-inline constexpr std::uint8_t kFrame233[] = {11,162,166,3,2,1,2,176,173,27,11,16,17,34,51,68,24,41,58,75,31,48,65,194,117,158,47,0};
-inline constexpr std::uint8_t kPayload233[] = {17,34,51,68,24,41,58,75,31,48,65};
-inline constexpr std::uint8_t kFrame234[] = {11,162,166,3,2,1,2,176,173,27,12,1,1,1,1,13,24,41,58,75,31,48,65,82,201,180,24,14,0};
-inline constexpr std::uint8_t kPayload234[] = {0,0,0,0,24,41,58,75,31,48,65,82};
-inline constexpr std::uint8_t kFrame235[] = {11,35,39,3,2,1,2,176,173,27,5,10,17,34,51,68,1,225,4,12,100,0};
-inline constexpr std::uint8_t kPayload235[] = {17,34,51,68,1};
-inline constexpr std::uint8_t kFrame236[] = {11,35,39,3,2,1,2,176,173,27,3,8,17,34,51,16,67,200,155,0};
-inline constexpr std::uint8_t kPayload236[] = {17,34,51};
-inline constexpr std::uint8_t kFrame237[] = {11,35,39,3,2,1,2,176,173,27,4,1,1,1,1,5,86,192,44,245,0};
-inline constexpr std::uint8_t kPayload237[] = {0,0,0,0};
-inline constexpr std::uint8_t kFrame238[] = {11,163,167,3,2,1,2,176,173,27,6,11,2,24,41,58,75,1,50,165,28,31,0};
-inline constexpr std::uint8_t kPayload238[] = {2,24,41,58,75,1};
-inline constexpr std::uint8_t kFrame239[] = {11,163,167,3,2,1,2,176,173,27,4,9,2,24,41,58,21,163,174,2,0};
-inline constexpr std::uint8_t kPayload239[] = {2,24,41,58};
-inline constexpr std::uint8_t kFrame240[] = {11,163,167,3,2,1,2,176,173,27,5,10,5,24,41,58,75,121,234,132,74,0};
-inline constexpr std::uint8_t kPayload240[] = {5,24,41,58,75};
-inline constexpr std::uint8_t kFrame241[] = {11,36,40,3,2,1,2,176,173,27,5,10,17,34,51,68,1,9,63,125,205,0};
-inline constexpr std::uint8_t kPayload241[] = {17,34,51,68,1};
-inline constexpr std::uint8_t kFrame242[] = {11,36,40,3,2,1,2,176,173,27,3,8,17,34,51,229,60,117,217,0};
-inline constexpr std::uint8_t kPayload242[] = {17,34,51};
-inline constexpr std::uint8_t kFrame243[] = {11,36,40,3,2,1,2,176,173,27,4,1,1,1,1,5,186,123,185,56,0};
-inline constexpr std::uint8_t kPayload243[] = {0,0,0,0};
-inline constexpr std::uint8_t kFrame244[] = {11,164,168,3,2,1,2,176,173,27,6,11,2,24,41,58,75,1,67,190,100,177,0};
-inline constexpr std::uint8_t kPayload244[] = {2,24,41,58,75,1};
-inline constexpr std::uint8_t kFrame245[] = {11,164,168,3,2,1,2,176,173,27,4,9,2,24,41,58,249,24,59,207,0};
-inline constexpr std::uint8_t kPayload245[] = {2,24,41,58};
-inline constexpr std::uint8_t kFrame246[] = {11,164,168,3,2,1,2,176,173,27,5,10,5,24,41,58,75,145,209,245,227,0};
-inline constexpr std::uint8_t kPayload246[] = {5,24,41,58,75};
-inline constexpr std::uint8_t kFrame247[] = {11,37,41,3,2,1,2,176,173,27,5,10,17,34,51,68,1,112,117,238,218,0};
+inline constexpr std::uint8_t kFrame147[] = {11,1,5,3,2,1,2,176,173,27,1,6,1,29,102,115,108,0};
+inline constexpr std::uint8_t kPayload147[] = {1};
+inline constexpr std::uint8_t kFrame148[] = {11,129,133,3,2,1,2,176,173,27,109,45,17,34,24,31,38,45,52,59,66,73,80,87,94,101,108,115,122,129,102,105,114,109,119,97,114,101,95,118,101,114,115,105,111,110,103,105,116,95,104,97,115,104,45,51,1,1,1,1,1,8,98,111,97,114,100,45,52,1,1,1,1,1,1,1,1,16,115,101,114,105,97,108,95,110,117,109,98,101,114,45,53,2,8,1,1,28,4,73,90,107,124,80,97,114,131,87,94,101,108,125,115,122,129,136,143,150,157,164,1,168,195,174,96,0};
+inline constexpr std::uint8_t kPayload148[] = {17,34,24,31,38,45,52,59,66,73,80,87,94,101,108,115,122,129,102,105,114,109,119,97,114,101,95,118,101,114,115,105,111,110,103,105,116,95,104,97,115,104,45,51,0,0,0,0,0,0,98,111,97,114,100,45,52,0,0,0,0,0,0,0,0,0,115,101,114,105,97,108,95,110,117,109,98,101,114,45,53,0,8,0,0,0,4,73,90,107,124,80,97,114,131,87,94,101,108,125,115,122,129,136,143,150,157,164,1};
+inline constexpr std::uint8_t kFrame149[] = {11,129,133,3,2,1,2,176,173,27,107,45,17,34,24,31,38,45,52,59,66,73,80,87,94,101,108,115,122,129,102,105,114,109,119,97,114,101,95,118,101,114,115,105,111,110,103,105,116,95,104,97,115,104,45,51,1,1,1,1,1,8,98,111,97,114,100,45,52,1,1,1,1,1,1,1,1,16,115,101,114,105,97,108,95,110,117,109,98,101,114,45,53,2,8,1,1,26,4,73,90,107,124,80,97,114,131,87,94,101,108,125,115,122,129,136,143,150,157,158,185,246,219,0};
+inline constexpr std::uint8_t kPayload149[] = {17,34,24,31,38,45,52,59,66,73,80,87,94,101,108,115,122,129,102,105,114,109,119,97,114,101,95,118,101,114,115,105,111,110,103,105,116,95,104,97,115,104,45,51,0,0,0,0,0,0,98,111,97,114,100,45,52,0,0,0,0,0,0,0,0,0,115,101,114,105,97,108,95,110,117,109,98,101,114,45,53,0,8,0,0,0,4,73,90,107,124,80,97,114,131,87,94,101,108,125,115,122,129,136,143,150,157};
+inline constexpr std::uint8_t kFrame150[] = {11,129,133,3,2,1,2,176,173,27,108,22,17,34,24,31,38,45,52,59,66,73,80,87,94,101,108,115,122,129,97,10,98,1,1,1,1,1,1,1,1,1,1,1,1,11,103,105,116,95,104,97,115,104,45,51,1,1,1,1,1,8,98,111,97,114,100,45,52,1,1,1,1,1,1,1,1,16,115,101,114,105,97,108,95,110,117,109,98,101,114,45,53,2,8,1,1,27,4,73,90,107,124,80,97,114,131,87,94,101,108,125,115,122,129,136,143,150,157,164,82,86,104,118,0};
+inline constexpr std::uint8_t kPayload150[] = {17,34,24,31,38,45,52,59,66,73,80,87,94,101,108,115,122,129,97,10,98,0,0,0,0,0,0,0,0,0,0,0,0,0,103,105,116,95,104,97,115,104,45,51,0,0,0,0,0,0,98,111,97,114,100,45,52,0,0,0,0,0,0,0,0,0,115,101,114,105,97,108,95,110,117,109,98,101,114,45,53,0,8,0,0,0,4,73,90,107,124,80,97,114,131,87,94,101,108,125,115,122,129,136,143,150,157,164};
+inline constexpr std::uint8_t kFrame151[] = {11,129,133,3,2,1,2,176,173,27,108,20,17,34,24,31,38,45,52,59,66,73,80,87,94,101,108,115,122,129,97,2,98,1,1,1,1,1,1,1,1,1,1,1,1,11,103,105,116,95,104,97,115,104,45,51,1,1,1,1,1,8,98,111,97,114,100,45,52,1,1,1,1,1,1,1,1,16,115,101,114,105,97,108,95,110,117,109,98,101,114,45,53,2,8,1,1,27,4,73,90,107,124,80,97,114,131,87,94,101,108,125,115,122,129,136,143,150,157,164,128,237,17,41,0};
+inline constexpr std::uint8_t kPayload151[] = {17,34,24,31,38,45,52,59,66,73,80,87,94,101,108,115,122,129,97,0,98,0,0,0,0,0,0,0,0,0,0,0,0,0,103,105,116,95,104,97,115,104,45,51,0,0,0,0,0,0,98,111,97,114,100,45,52,0,0,0,0,0,0,0,0,0,115,101,114,105,97,108,95,110,117,109,98,101,114,45,53,0,8,0,0,0,4,73,90,107,124,80,97,114,131,87,94,101,108,125,115,122,129,136,143,150,157,164};
+inline constexpr std::uint8_t kFrame152[] = {11,129,133,3,2,1,2,176,173,27,108,38,17,34,24,31,38,45,52,59,66,73,80,87,94,101,108,115,122,129,102,105,114,109,119,97,114,101,95,118,101,114,115,105,111,110,97,10,98,1,1,1,1,1,1,1,1,1,1,1,1,8,98,111,97,114,100,45,52,1,1,1,1,1,1,1,1,16,115,101,114,105,97,108,95,110,117,109,98,101,114,45,53,2,8,1,1,27,4,73,90,107,124,80,97,114,131,87,94,101,108,125,115,122,129,136,143,150,157,164,51,203,33,65,0};
+inline constexpr std::uint8_t kPayload152[] = {17,34,24,31,38,45,52,59,66,73,80,87,94,101,108,115,122,129,102,105,114,109,119,97,114,101,95,118,101,114,115,105,111,110,97,10,98,0,0,0,0,0,0,0,0,0,0,0,0,0,98,111,97,114,100,45,52,0,0,0,0,0,0,0,0,0,115,101,114,105,97,108,95,110,117,109,98,101,114,45,53,0,8,0,0,0,4,73,90,107,124,80,97,114,131,87,94,101,108,125,115,122,129,136,143,150,157,164};
+inline constexpr std::uint8_t kFrame153[] = {11,129,133,3,2,1,2,176,173,27,108,36,17,34,24,31,38,45,52,59,66,73,80,87,94,101,108,115,122,129,102,105,114,109,119,97,114,101,95,118,101,114,115,105,111,110,97,2,98,1,1,1,1,1,1,1,1,1,1,1,1,8,98,111,97,114,100,45,52,1,1,1,1,1,1,1,1,16,115,101,114,105,97,108,95,110,117,109,98,101,114,45,53,2,8,1,1,27,4,73,90,107,124,80,97,114,131,87,94,101,108,125,115,122,129,136,143,150,157,164,26,140,110,166,0};
+inline constexpr std::uint8_t kPayload153[] = {17,34,24,31,38,45,52,59,66,73,80,87,94,101,108,115,122,129,102,105,114,109,119,97,114,101,95,118,101,114,115,105,111,110,97,0,98,0,0,0,0,0,0,0,0,0,0,0,0,0,98,111,97,114,100,45,52,0,0,0,0,0,0,0,0,0,115,101,114,105,97,108,95,110,117,109,98,101,114,45,53,0,8,0,0,0,4,73,90,107,124,80,97,114,131,87,94,101,108,125,115,122,129,136,143,150,157,164};
+inline constexpr std::uint8_t kFrame154[] = {11,129,133,3,2,1,2,176,173,27,108,45,17,34,24,31,38,45,52,59,66,73,80,87,94,101,108,115,122,129,102,105,114,109,119,97,114,101,95,118,101,114,115,105,111,110,103,105,116,95,104,97,115,104,45,51,1,1,1,1,1,4,97,10,98,1,1,1,1,1,1,1,1,1,1,1,1,16,115,101,114,105,97,108,95,110,117,109,98,101,114,45,53,2,8,1,1,27,4,73,90,107,124,80,97,114,131,87,94,101,108,125,115,122,129,136,143,150,157,164,16,57,184,249,0};
+inline constexpr std::uint8_t kPayload154[] = {17,34,24,31,38,45,52,59,66,73,80,87,94,101,108,115,122,129,102,105,114,109,119,97,114,101,95,118,101,114,115,105,111,110,103,105,116,95,104,97,115,104,45,51,0,0,0,0,0,0,97,10,98,0,0,0,0,0,0,0,0,0,0,0,0,0,115,101,114,105,97,108,95,110,117,109,98,101,114,45,53,0,8,0,0,0,4,73,90,107,124,80,97,114,131,87,94,101,108,125,115,122,129,136,143,150,157,164};
+inline constexpr std::uint8_t kFrame155[] = {11,129,133,3,2,1,2,176,173,27,108,45,17,34,24,31,38,45,52,59,66,73,80,87,94,101,108,115,122,129,102,105,114,109,119,97,114,101,95,118,101,114,115,105,111,110,103,105,116,95,104,97,115,104,45,51,1,1,1,1,1,2,97,2,98,1,1,1,1,1,1,1,1,1,1,1,1,16,115,101,114,105,97,108,95,110,117,109,98,101,114,45,53,2,8,1,1,27,4,73,90,107,124,80,97,114,131,87,94,101,108,125,115,122,129,136,143,150,157,164,248,14,187,13,0};
+inline constexpr std::uint8_t kPayload155[] = {17,34,24,31,38,45,52,59,66,73,80,87,94,101,108,115,122,129,102,105,114,109,119,97,114,101,95,118,101,114,115,105,111,110,103,105,116,95,104,97,115,104,45,51,0,0,0,0,0,0,97,0,98,0,0,0,0,0,0,0,0,0,0,0,0,0,115,101,114,105,97,108,95,110,117,109,98,101,114,45,53,0,8,0,0,0,4,73,90,107,124,80,97,114,131,87,94,101,108,125,115,122,129,136,143,150,157,164};
+inline constexpr std::uint8_t kFrame156[] = {11,129,133,3,2,1,2,176,173,27,108,45,17,34,24,31,38,45,52,59,66,73,80,87,94,101,108,115,122,129,102,105,114,109,119,97,114,101,95,118,101,114,115,105,111,110,103,105,116,95,104,97,115,104,45,51,1,1,1,1,1,8,98,111,97,114,100,45,52,1,1,1,1,1,1,1,1,4,97,10,98,1,1,1,1,1,1,1,1,1,1,1,1,2,8,1,1,27,4,73,90,107,124,80,97,114,131,87,94,101,108,125,115,122,129,136,143,150,157,164,117,185,82,112,0};
+inline constexpr std::uint8_t kPayload156[] = {17,34,24,31,38,45,52,59,66,73,80,87,94,101,108,115,122,129,102,105,114,109,119,97,114,101,95,118,101,114,115,105,111,110,103,105,116,95,104,97,115,104,45,51,0,0,0,0,0,0,98,111,97,114,100,45,52,0,0,0,0,0,0,0,0,0,97,10,98,0,0,0,0,0,0,0,0,0,0,0,0,0,8,0,0,0,4,73,90,107,124,80,97,114,131,87,94,101,108,125,115,122,129,136,143,150,157,164};
+inline constexpr std::uint8_t kFrame157[] = {11,129,133,3,2,1,2,176,173,27,108,45,17,34,24,31,38,45,52,59,66,73,80,87,94,101,108,115,122,129,102,105,114,109,119,97,114,101,95,118,101,114,115,105,111,110,103,105,116,95,104,97,115,104,45,51,1,1,1,1,1,8,98,111,97,114,100,45,52,1,1,1,1,1,1,1,1,2,97,2,98,1,1,1,1,1,1,1,1,1,1,1,1,2,8,1,1,27,4,73,90,107,124,80,97,114,131,87,94,101,108,125,115,122,129,136,143,150,157,164,122,2,116,86,0};
+inline constexpr std::uint8_t kPayload157[] = {17,34,24,31,38,45,52,59,66,73,80,87,94,101,108,115,122,129,102,105,114,109,119,97,114,101,95,118,101,114,115,105,111,110,103,105,116,95,104,97,115,104,45,51,0,0,0,0,0,0,98,111,97,114,100,45,52,0,0,0,0,0,0,0,0,0,97,0,98,0,0,0,0,0,0,0,0,0,0,0,0,0,8,0,0,0,4,73,90,107,124,80,97,114,131,87,94,101,108,125,115,122,129,136,143,150,157,164};
+inline constexpr std::uint8_t kFrame158[] = {11,129,133,3,2,1,2,176,173,27,108,45,17,34,24,31,38,45,52,59,66,73,80,87,94,101,108,115,122,129,102,105,114,109,119,97,114,101,95,118,101,114,115,105,111,110,103,105,116,95,104,97,115,104,45,51,1,1,1,1,1,8,98,111,97,114,100,45,52,1,1,1,1,1,1,1,1,16,115,101,114,105,97,108,95,110,117,109,98,101,114,45,53,2,8,1,1,27,8,73,90,107,124,80,97,114,131,87,94,101,108,125,115,122,129,136,143,150,157,164,242,152,189,67,0};
+inline constexpr std::uint8_t kPayload158[] = {17,34,24,31,38,45,52,59,66,73,80,87,94,101,108,115,122,129,102,105,114,109,119,97,114,101,95,118,101,114,115,105,111,110,103,105,116,95,104,97,115,104,45,51,0,0,0,0,0,0,98,111,97,114,100,45,52,0,0,0,0,0,0,0,0,0,115,101,114,105,97,108,95,110,117,109,98,101,114,45,53,0,8,0,0,0,8,73,90,107,124,80,97,114,131,87,94,101,108,125,115,122,129,136,143,150,157,164};
+inline constexpr std::uint8_t kFrame159[] = {11,129,133,3,2,1,2,176,173,27,108,45,17,34,24,31,38,45,52,59,66,73,80,87,94,101,108,115,122,129,102,105,114,109,119,97,114,101,95,118,101,114,115,105,111,110,103,105,116,95,104,97,115,104,45,51,1,1,1,1,1,8,98,111,97,114,100,45,52,1,1,1,1,1,1,1,1,16,115,101,114,105,97,108,95,110,117,109,98,101,114,45,53,2,8,1,1,2,4,1,1,1,22,80,97,114,131,87,94,101,108,125,115,122,129,136,143,150,157,164,180,173,87,126,0};
+inline constexpr std::uint8_t kPayload159[] = {17,34,24,31,38,45,52,59,66,73,80,87,94,101,108,115,122,129,102,105,114,109,119,97,114,101,95,118,101,114,115,105,111,110,103,105,116,95,104,97,115,104,45,51,0,0,0,0,0,0,98,111,97,114,100,45,52,0,0,0,0,0,0,0,0,0,115,101,114,105,97,108,95,110,117,109,98,101,114,45,53,0,8,0,0,0,4,0,0,0,0,80,97,114,131,87,94,101,108,125,115,122,129,136,143,150,157,164};
+inline constexpr std::uint8_t kFrame160[] = {11,2,6,3,2,1,2,176,173,27,5,10,17,34,51,68,1,123,11,101,236,0};
+inline constexpr std::uint8_t kPayload160[] = {17,34,51,68,1};
+inline constexpr std::uint8_t kFrame161[] = {11,2,6,3,2,1,2,176,173,27,3,8,17,34,51,206,72,75,165,0};
+inline constexpr std::uint8_t kPayload161[] = {17,34,51};
+inline constexpr std::uint8_t kFrame162[] = {11,130,134,3,2,1,2,176,173,27,3,8,17,34,1,187,211,133,78,0};
+inline constexpr std::uint8_t kPayload162[] = {17,34,1};
+inline constexpr std::uint8_t kFrame163[] = {11,130,134,3,2,1,2,176,173,27,1,6,17,247,152,158,136,0};
+inline constexpr std::uint8_t kPayload163[] = {17};
+inline constexpr std::uint8_t kFrame164[] = {11,3,7,3,2,1,2,176,173,27,1,6,1,67,65,36,216,0};
+inline constexpr std::uint8_t kPayload164[] = {1};
+inline constexpr std::uint8_t kFrame165[] = {11,131,135,3,2,1,2,176,173,27,38,43,2,5,15,6,1,52,69,86,103,120,137,154,171,59,76,93,110,66,83,100,117,73,90,80,97,114,131,87,104,121,138,94,111,128,145,101,118,1,234,253,223,63,0};
+inline constexpr std::uint8_t kPayload165[] = {2,5,15,6,1,52,69,86,103,120,137,154,171,59,76,93,110,66,83,100,117,73,90,80,97,114,131,87,104,121,138,94,111,128,145,101,118,1};
+inline constexpr std::uint8_t kFrame166[] = {11,131,135,3,2,1,2,176,173,27,36,41,2,5,15,6,1,52,69,86,103,120,137,154,171,59,76,93,110,66,83,100,117,73,90,80,97,114,131,87,104,121,138,94,111,128,145,101,141,202,148,238,0};
+inline constexpr std::uint8_t kPayload166[] = {2,5,15,6,1,52,69,86,103,120,137,154,171,59,76,93,110,66,83,100,117,73,90,80,97,114,131,87,104,121,138,94,111,128,145,101};
+inline constexpr std::uint8_t kFrame167[] = {11,131,135,3,2,1,2,176,173,27,37,42,5,5,15,6,1,52,69,86,103,120,137,154,171,59,76,93,110,66,83,100,117,73,90,80,97,114,131,87,104,121,138,94,111,128,145,101,118,165,50,56,130,0};
+inline constexpr std::uint8_t kPayload167[] = {5,5,15,6,1,52,69,86,103,120,137,154,171,59,76,93,110,66,83,100,117,73,90,80,97,114,131,87,104,121,138,94,111,128,145,101,118};
+inline constexpr std::uint8_t kFrame168[] = {11,131,135,3,2,1,2,176,173,27,37,42,2,10,15,6,1,52,69,86,103,120,137,154,171,59,76,93,110,66,83,100,117,73,90,80,97,114,131,87,104,121,138,94,111,128,145,101,118,61,201,26,154,0};
+inline constexpr std::uint8_t kPayload168[] = {2,10,15,6,1,52,69,86,103,120,137,154,171,59,76,93,110,66,83,100,117,73,90,80,97,114,131,87,104,121,138,94,111,128,145,101,118};
+inline constexpr std::uint8_t kFrame169[] = {11,131,135,3,2,1,2,176,173,27,37,42,2,5,16,6,1,52,69,86,103,120,137,154,171,59,76,93,110,66,83,100,117,73,90,80,97,114,131,87,104,121,138,94,111,128,145,101,118,143,211,252,48,0};
+inline constexpr std::uint8_t kPayload169[] = {2,5,16,6,1,52,69,86,103,120,137,154,171,59,76,93,110,66,83,100,117,73,90,80,97,114,131,87,104,121,138,94,111,128,145,101,118};
+inline constexpr std::uint8_t kFrame170[] = {11,131,135,3,2,1,2,176,173,27,37,42,2,5,15,32,1,52,69,86,103,120,137,154,171,59,76,93,110,66,83,100,117,73,90,80,97,114,131,87,104,121,138,94,111,128,145,101,118,136,142,107,38,0};
+inline constexpr std::uint8_t kPayload170[] = {2,5,15,32,1,52,69,86,103,120,137,154,171,59,76,93,110,66,83,100,117,73,90,80,97,114,131,87,104,121,138,94,111,128,145,101,118};
+inline constexpr std::uint8_t kFrame171[] = {11,131,135,3,2,1,2,176,173,27,37,42,2,5,15,6,2,52,69,86,103,120,137,154,171,59,76,93,110,66,83,100,117,73,90,80,97,114,131,87,104,121,138,94,111,128,145,101,118,111,234,29,237,0};
+inline constexpr std::uint8_t kPayload171[] = {2,5,15,6,2,52,69,86,103,120,137,154,171,59,76,93,110,66,83,100,117,73,90,80,97,114,131,87,104,121,138,94,111,128,145,101,118};
+inline constexpr std::uint8_t kFrame172[] = {11,4,8,3,2,1,2,176,173,27,1,6,1,10,92,68,63,0};
+inline constexpr std::uint8_t kPayload172[] = {1};
+inline constexpr std::uint8_t kFrame173[] = {11,132,136,3,2,1,2,176,173,27,19,24,17,34,51,68,24,41,58,75,31,48,65,82,42,7,45,62,52,69,1,251,143,216,249,0};
+inline constexpr std::uint8_t kPayload173[] = {17,34,51,68,24,41,58,75,31,48,65,82,42,7,45,62,52,69,1};
+inline constexpr std::uint8_t kFrame174[] = {11,132,136,3,2,1,2,176,173,27,17,22,17,34,51,68,24,41,58,75,31,48,65,82,42,7,45,62,52,5,42,60,42,0};
+inline constexpr std::uint8_t kPayload174[] = {17,34,51,68,24,41,58,75,31,48,65,82,42,7,45,62,52};
+inline constexpr std::uint8_t kFrame175[] = {11,132,136,3,2,1,2,176,173,27,18,13,17,34,51,68,24,41,58,75,31,48,65,82,10,16,45,62,52,69,63,178,170,127,0};
+inline constexpr std::uint8_t kPayload175[] = {17,34,51,68,24,41,58,75,31,48,65,82,0,16,45,62,52,69};
+inline constexpr std::uint8_t kFrame176[] = {11,132,136,3,2,1,2,176,173,27,18,13,17,34,51,68,24,41,58,75,31,48,65,82,1,9,45,62,52,69,189,37,74,31,0};
+inline constexpr std::uint8_t kPayload176[] = {17,34,51,68,24,41,58,75,31,48,65,82,0,0,45,62,52,69};
+inline constexpr std::uint8_t kFrame177[] = {11,16,20,3,2,1,2,176,173,27,35,6,17,16,24,9,31,34,38,7,45,14,52,5,59,12,66,3,73,10,80,1,87,8,94,15,101,6,108,13,115,4,122,11,129,2,1,2,3,217,47,0};
+inline constexpr std::uint8_t kPayload177[] = {17,16,24,9,31,0,38,7,45,14,52,5,59,12,66,3,73,10,80,1,87,8,94,15,101,6,108,13,115,4,122,11,129,2,1};
+inline constexpr std::uint8_t kFrame178[] = {11,16,20,3,2,1,2,176,173,27,33,6,17,16,24,9,31,32,38,7,45,14,52,5,59,12,66,3,73,10,80,1,87,8,94,15,101,6,108,13,115,4,122,11,129,131,75,6,56,0};
+inline constexpr std::uint8_t kPayload178[] = {17,16,24,9,31,0,38,7,45,14,52,5,59,12,66,3,73,10,80,1,87,8,94,15,101,6,108,13,115,4,122,11,129};
+inline constexpr std::uint8_t kFrame179[] = {11,16,20,3,2,1,2,176,173,27,34,6,32,16,24,9,31,33,38,7,45,14,52,5,59,12,66,3,73,10,80,1,87,8,94,15,101,6,108,13,115,4,122,11,129,2,93,90,61,102,0};
+inline constexpr std::uint8_t kPayload179[] = {32,16,24,9,31,0,38,7,45,14,52,5,59,12,66,3,73,10,80,1,87,8,94,15,101,6,108,13,115,4,122,11,129,2};
+inline constexpr std::uint8_t kFrame180[] = {11,16,20,3,2,1,2,176,173,27,4,3,17,1,6,16,56,32,145,11,0};
+inline constexpr std::uint8_t kPayload180[] = {17,1,0,16};
+inline constexpr std::uint8_t kFrame181[] = {11,144,148,3,2,1,2,176,173,27,10,15,17,24,41,58,75,31,48,65,82,1,185,109,177,85,0};
+inline constexpr std::uint8_t kPayload181[] = {17,24,41,58,75,31,48,65,82,1};
+inline constexpr std::uint8_t kFrame182[] = {11,144,148,3,2,1,2,176,173,27,8,13,17,24,41,58,75,31,48,65,252,51,62,33,0};
+inline constexpr std::uint8_t kPayload182[] = {17,24,41,58,75,31,48,65};
+inline constexpr std::uint8_t kFrame183[] = {11,144,148,3,2,1,2,176,173,27,9,10,32,24,41,58,75,31,48,65,82,4,84,137,27,0};
+inline constexpr std::uint8_t kPayload183[] = {32,24,41,58,75,31,48,65,82};
+inline constexpr std::uint8_t kFrame184[] = {13,17,21,3,2,1,2,176,173,27,1,1,1,216,31,38,45,52,59,66,73,80,87,94,101,108,115,122,129,136,143,150,157,164,171,178,185,192,199,206,213,220,227,234,241,248,255,6,13,20,27,34,41,48,55,62,69,76,83,90,97,104,111,118,125,132,139,146,153,160,167,174,181,188,195,202,209,216,223,230,237,244,251,2,9,16,23,30,37,44,51,58,65,72,79,86,93,100,107,114,121,128,135,142,149,156,163,170,177,184,191,198,205,212,219,226,233,240,247,254,5,12,19,26,33,40,47,54,61,68,75,82,89,96,103,110,117,124,131,138,145,152,159,166,173,180,187,194,201,208,215,222,229,236,243,250,1,8,15,22,29,36,43,50,57,64,71,78,85,92,99,106,113,120,127,134,141,148,155,162,169,176,183,190,197,204,211,218,225,232,239,246,253,4,11,18,25,32,39,46,53,60,67,74,81,88,95,102,109,116,123,130,137,144,151,158,165,172,179,186,193,200,207,214,221,228,235,242,249,44,7,14,21,28,35,42,49,56,63,70,77,84,91,98,105,112,119,126,133,140,147,154,161,168,175,182,189,196,203,210,217,224,231,238,245,252,3,10,17,46,230,254,97,0};
+inline constexpr std::uint8_t kPayload184[] = {1,0,31,38,45,52,59,66,73,80,87,94,101,108,115,122,129,136,143,150,157,164,171,178,185,192,199,206,213,220,227,234,241,248,255,6,13,20,27,34,41,48,55,62,69,76,83,90,97,104,111,118,125,132,139,146,153,160,167,174,181,188,195,202,209,216,223,230,237,244,251,2,9,16,23,30,37,44,51,58,65,72,79,86,93,100,107,114,121,128,135,142,149,156,163,170,177,184,191,198,205,212,219,226,233,240,247,254,5,12,19,26,33,40,47,54,61,68,75,82,89,96,103,110,117,124,131,138,145,152,159,166,173,180,187,194,201,208,215,222,229,236,243,250,1,8,15,22,29,36,43,50,57,64,71,78,85,92,99,106,113,120,127,134,141,148,155,162,169,176,183,190,197,204,211,218,225,232,239,246,253,4,11,18,25,32,39,46,53,60,67,74,81,88,95,102,109,116,123,130,137,144,151,158,165,172,179,186,193,200,207,214,221,228,235,242,249,0,7,14,21,28,35,42,49,56,63,70,77,84,91,98,105,112,119,126,133,140,147,154,161,168,175,182,189,196,203,210,217,224,231,238,245,252,3,10,17};
+inline constexpr std::uint8_t kFrame185[] = {13,17,21,3,2,1,2,176,173,27,2,1,16,216,31,38,45,52,59,66,73,80,87,94,101,108,115,122,129,136,143,150,157,164,171,178,185,192,199,206,213,220,227,234,241,248,255,6,13,20,27,34,41,48,55,62,69,76,83,90,97,104,111,118,125,132,139,146,153,160,167,174,181,188,195,202,209,216,223,230,237,244,251,2,9,16,23,30,37,44,51,58,65,72,79,86,93,100,107,114,121,128,135,142,149,156,163,170,177,184,191,198,205,212,219,226,233,240,247,254,5,12,19,26,33,40,47,54,61,68,75,82,89,96,103,110,117,124,131,138,145,152,159,166,173,180,187,194,201,208,215,222,229,236,243,250,1,8,15,22,29,36,43,50,57,64,71,78,85,92,99,106,113,120,127,134,141,148,155,162,169,176,183,190,197,204,211,218,225,232,239,246,253,4,11,18,25,32,39,46,53,60,67,74,81,88,95,102,109,116,123,130,137,144,151,158,165,172,179,186,193,200,207,214,221,228,235,242,249,45,7,14,21,28,35,42,49,56,63,70,77,84,91,98,105,112,119,126,133,140,147,154,161,168,175,182,189,196,203,210,217,224,231,238,245,252,3,10,17,24,7,54,68,103,0};
+inline constexpr std::uint8_t kPayload185[] = {16,0,31,38,45,52,59,66,73,80,87,94,101,108,115,122,129,136,143,150,157,164,171,178,185,192,199,206,213,220,227,234,241,248,255,6,13,20,27,34,41,48,55,62,69,76,83,90,97,104,111,118,125,132,139,146,153,160,167,174,181,188,195,202,209,216,223,230,237,244,251,2,9,16,23,30,37,44,51,58,65,72,79,86,93,100,107,114,121,128,135,142,149,156,163,170,177,184,191,198,205,212,219,226,233,240,247,254,5,12,19,26,33,40,47,54,61,68,75,82,89,96,103,110,117,124,131,138,145,152,159,166,173,180,187,194,201,208,215,222,229,236,243,250,1,8,15,22,29,36,43,50,57,64,71,78,85,92,99,106,113,120,127,134,141,148,155,162,169,176,183,190,197,204,211,218,225,232,239,246,253,4,11,18,25,32,39,46,53,60,67,74,81,88,95,102,109,116,123,130,137,144,151,158,165,172,179,186,193,200,207,214,221,228,235,242,249,0,7,14,21,28,35,42,49,56,63,70,77,84,91,98,105,112,119,126,133,140,147,154,161,168,175,182,189,196,203,210,217,224,231,238,245,252,3,10,17,24};
+inline constexpr std::uint8_t kFrame186[] = {229,17,21,3,2,1,2,176,173,27,2,1,1,4,31,38,45,52,59,66,73,80,87,94,101,108,115,122,129,136,143,150,157,164,171,178,185,192,199,206,213,220,227,234,241,248,255,6,13,20,27,34,41,48,55,62,69,76,83,90,97,104,111,118,125,132,139,146,153,160,167,174,181,188,195,202,209,216,223,230,237,244,251,2,9,16,23,30,37,44,51,58,65,72,79,86,93,100,107,114,121,128,135,142,149,156,163,170,177,184,191,198,205,212,219,226,233,240,247,254,5,12,19,26,33,40,47,54,61,68,75,82,89,96,103,110,117,124,131,138,145,152,159,166,173,180,187,194,201,208,215,222,229,236,243,250,1,8,15,22,29,36,43,50,57,64,71,78,85,92,99,106,113,120,127,134,141,148,155,162,169,176,183,190,197,204,211,218,225,232,239,246,253,4,11,18,25,32,39,46,53,60,67,74,81,88,95,102,109,116,123,130,137,144,151,158,165,172,179,186,193,200,207,214,221,228,235,242,249,45,7,14,21,28,35,42,49,56,63,70,77,84,91,98,105,112,119,126,133,140,147,154,161,168,175,182,189,196,203,210,217,224,231,238,245,252,3,10,17,24,255,7,96,169,0};
+inline constexpr std::uint8_t kPayload186[] = {1,4,31,38,45,52,59,66,73,80,87,94,101,108,115,122,129,136,143,150,157,164,171,178,185,192,199,206,213,220,227,234,241,248,255,6,13,20,27,34,41,48,55,62,69,76,83,90,97,104,111,118,125,132,139,146,153,160,167,174,181,188,195,202,209,216,223,230,237,244,251,2,9,16,23,30,37,44,51,58,65,72,79,86,93,100,107,114,121,128,135,142,149,156,163,170,177,184,191,198,205,212,219,226,233,240,247,254,5,12,19,26,33,40,47,54,61,68,75,82,89,96,103,110,117,124,131,138,145,152,159,166,173,180,187,194,201,208,215,222,229,236,243,250,1,8,15,22,29,36,43,50,57,64,71,78,85,92,99,106,113,120,127,134,141,148,155,162,169,176,183,190,197,204,211,218,225,232,239,246,253,4,11,18,25,32,39,46,53,60,67,74,81,88,95,102,109,116,123,130,137,144,151,158,165,172,179,186,193,200,207,214,221,228,235,242,249,0,7,14,21,28,35,42,49,56,63,70,77,84,91,98,105,112,119,126,133,140,147,154,161,168,175,182,189,196,203,210,217,224,231,238,245,252,3,10,17,24};
+inline constexpr std::uint8_t kFrame187[] = {11,145,149,3,2,1,2,176,173,27,3,2,1,6,1,72,229,15,230,0};
+inline constexpr std::uint8_t kPayload187[] = {1,0,1};
+inline constexpr std::uint8_t kFrame188[] = {11,145,149,3,2,1,2,176,173,27,1,6,1,85,21,187,217,0};
+inline constexpr std::uint8_t kPayload188[] = {1};
+inline constexpr std::uint8_t kFrame189[] = {11,145,149,3,2,1,2,176,173,27,2,2,16,5,29,125,182,136,0};
+inline constexpr std::uint8_t kPayload189[] = {16,0};
+inline constexpr std::uint8_t kFrame190[] = {11,145,149,3,2,1,2,176,173,27,2,7,1,4,20,154,2,220,0};
+inline constexpr std::uint8_t kPayload190[] = {1,4};
+inline constexpr std::uint8_t kFrame191[] = {11,18,22,3,2,1,2,176,173,27,6,11,1,24,41,58,75,1,54,69,221,158,0};
+inline constexpr std::uint8_t kPayload191[] = {1,24,41,58,75,1};
+inline constexpr std::uint8_t kFrame192[] = {11,18,22,3,2,1,2,176,173,27,4,9,1,24,41,58,89,204,106,158,0};
+inline constexpr std::uint8_t kPayload192[] = {1,24,41,58};
+inline constexpr std::uint8_t kFrame193[] = {11,18,22,3,2,1,2,176,173,27,5,10,16,24,41,58,75,143,65,210,218,0};
+inline constexpr std::uint8_t kPayload193[] = {16,24,41,58,75};
+inline constexpr std::uint8_t kFrame194[] = {11,146,150,3,2,1,2,176,173,27,8,13,1,24,41,58,75,30,16,1,160,96,127,206,0};
+inline constexpr std::uint8_t kPayload194[] = {1,24,41,58,75,30,16,1};
+inline constexpr std::uint8_t kFrame195[] = {11,146,150,3,2,1,2,176,173,27,6,11,1,24,41,58,75,30,223,110,164,245,0};
+inline constexpr std::uint8_t kPayload195[] = {1,24,41,58,75,30};
+inline constexpr std::uint8_t kFrame196[] = {11,146,150,3,2,1,2,176,173,27,7,12,16,24,41,58,75,30,16,251,23,254,15,0};
+inline constexpr std::uint8_t kPayload196[] = {16,24,41,58,75,30,16};
+inline constexpr std::uint8_t kFrame197[] = {11,146,150,3,2,1,2,176,173,27,7,12,1,24,41,58,75,1,32,179,190,212,37,0};
+inline constexpr std::uint8_t kPayload197[] = {1,24,41,58,75,1,32};
+inline constexpr std::uint8_t kFrame198[] = {11,19,23,3,2,1,2,176,173,27,2,7,1,1,184,15,162,224,0};
+inline constexpr std::uint8_t kPayload198[] = {1,1};
+inline constexpr std::uint8_t kFrame199[] = {10,19,23,3,2,1,2,176,173,27,1,5,237,157,67,182,0};
+inline constexpr std::uint8_t kFrame200[] = {11,19,23,3,2,1,2,176,173,27,1,6,16,134,72,122,16,0};
+inline constexpr std::uint8_t kPayload200[] = {16};
+inline constexpr std::uint8_t kFrame201[] = {11,147,151,3,2,1,2,176,173,27,6,11,1,24,41,58,75,1,248,57,98,81,0};
+inline constexpr std::uint8_t kPayload201[] = {1,24,41,58,75,1};
+inline constexpr std::uint8_t kFrame202[] = {11,147,151,3,2,1,2,176,173,27,4,9,1,24,41,58,158,233,106,119,0};
+inline constexpr std::uint8_t kPayload202[] = {1,24,41,58};
+inline constexpr std::uint8_t kFrame203[] = {11,147,151,3,2,1,2,176,173,27,5,10,16,24,41,58,75,185,22,59,223,0};
+inline constexpr std::uint8_t kPayload203[] = {16,24,41,58,75};
+inline constexpr std::uint8_t kFrame204[] = {11,20,24,3,2,1,2,176,173,27,2,7,17,1,192,132,135,165,0};
+inline constexpr std::uint8_t kPayload204[] = {17,1};
+inline constexpr std::uint8_t kFrame205[] = {10,20,24,3,2,1,2,176,173,27,1,5,227,211,115,110,0};
+inline constexpr std::uint8_t kFrame206[] = {11,20,24,3,2,1,2,176,173,27,1,6,32,99,101,195,209,0};
+inline constexpr std::uint8_t kPayload206[] = {32};
+inline constexpr std::uint8_t kFrame207[] = {11,148,152,3,2,1,2,176,173,27,6,11,17,24,41,58,75,1,18,32,204,252,0};
+inline constexpr std::uint8_t kPayload207[] = {17,24,41,58,75,1};
+inline constexpr std::uint8_t kFrame208[] = {11,148,152,3,2,1,2,176,173,27,4,9,17,24,41,58,237,5,230,234,0};
+inline constexpr std::uint8_t kPayload208[] = {17,24,41,58};
+inline constexpr std::uint8_t kFrame209[] = {11,148,152,3,2,1,2,176,173,27,5,10,32,24,41,58,75,215,149,107,215,0};
+inline constexpr std::uint8_t kPayload209[] = {32,24,41,58,75};
+inline constexpr std::uint8_t kFrame210[] = {11,21,25,3,2,1,2,176,173,27,1,6,1,146,230,129,199,0};
+inline constexpr std::uint8_t kPayload210[] = {1};
+inline constexpr std::uint8_t kFrame211[] = {11,149,153,3,2,1,2,176,173,27,2,7,2,1,79,26,246,66,0};
+inline constexpr std::uint8_t kPayload211[] = {2,1};
+inline constexpr std::uint8_t kFrame212[] = {10,149,153,3,2,1,2,176,173,27,1,5,131,91,219,209,0};
+inline constexpr std::uint8_t kFrame213[] = {11,149,153,3,2,1,2,176,173,27,1,6,5,244,120,202,215,0};
+inline constexpr std::uint8_t kPayload213[] = {5};
+inline constexpr std::uint8_t kFrame214[] = {11,32,36,3,2,1,2,176,173,27,64,69,17,2,5,1,24,31,48,14,143,115,3,33,137,83,3,1,24,31,48,14,143,115,3,33,137,83,3,1,24,31,48,14,143,115,3,33,137,83,3,1,24,31,48,14,143,115,3,33,137,83,3,1,24,31,48,14,143,115,3,33,137,83,3,1,104,159,114,236,0};
+inline constexpr std::uint8_t kPayload214[] = {17,2,5,1,24,31,48,14,143,115,3,33,137,83,3,1,24,31,48,14,143,115,3,33,137,83,3,1,24,31,48,14,143,115,3,33,137,83,3,1,24,31,48,14,143,115,3,33,137,83,3,1,24,31,48,14,143,115,3,33,137,83,3,1};
+inline constexpr std::uint8_t kFrame215[] = {11,32,36,3,2,1,2,176,173,27,62,67,17,2,5,1,24,31,48,14,143,115,3,33,137,83,3,1,24,31,48,14,143,115,3,33,137,83,3,1,24,31,48,14,143,115,3,33,137,83,3,1,24,31,48,14,143,115,3,33,137,83,3,1,24,31,48,14,143,115,3,33,137,83,180,166,152,82,0};
+inline constexpr std::uint8_t kPayload215[] = {17,2,5,1,24,31,48,14,143,115,3,33,137,83,3,1,24,31,48,14,143,115,3,33,137,83,3,1,24,31,48,14,143,115,3,33,137,83,3,1,24,31,48,14,143,115,3,33,137,83,3,1,24,31,48,14,143,115,3,33,137,83};
+inline constexpr std::uint8_t kFrame216[] = {11,32,36,3,2,1,2,176,173,27,63,1,67,4,5,1,24,31,48,14,143,115,3,33,137,83,3,1,24,31,48,14,143,115,3,33,137,83,3,1,24,31,48,14,143,115,3,33,137,83,3,1,24,31,48,14,143,115,3,33,137,83,3,1,24,31,48,14,143,115,3,33,137,83,3,155,154,215,94,0};
+inline constexpr std::uint8_t kPayload216[] = {0,4,5,1,24,31,48,14,143,115,3,33,137,83,3,1,24,31,48,14,143,115,3,33,137,83,3,1,24,31,48,14,143,115,3,33,137,83,3,1,24,31,48,14,143,115,3,33,137,83,3,1,24,31,48,14,143,115,3,33,137,83,3};
+inline constexpr std::uint8_t kFrame217[] = {11,32,36,3,2,1,2,176,173,27,27,32,17,2,2,1,24,31,48,14,143,115,3,33,137,83,3,16,24,31,48,14,143,115,3,33,137,83,3,218,94,5,8,0};
+inline constexpr std::uint8_t kPayload217[] = {17,2,2,1,24,31,48,14,143,115,3,33,137,83,3,16,24,31,48,14,143,115,3,33,137,83,3};
+inline constexpr std::uint8_t kFrame218[] = {11,32,36,3,2,1,2,176,173,27,27,32,17,2,2,1,24,31,48,14,143,115,3,33,137,83,3,1,32,31,48,14,143,115,3,33,137,83,3,16,85,17,13,0};
+inline constexpr std::uint8_t kPayload218[] = {17,2,2,1,24,31,48,14,143,115,3,33,137,83,3,1,32,31,48,14,143,115,3,33,137,83,3};
+inline constexpr std::uint8_t kFrame219[] = {11,32,36,3,2,1,2,176,173,27,27,18,17,2,2,1,24,31,48,14,143,115,3,33,137,83,3,1,24,1,13,14,143,115,3,33,137,83,3,254,229,44,103,0};
+inline constexpr std::uint8_t kPayload219[] = {17,2,2,1,24,31,48,14,143,115,3,33,137,83,3,1,24,0,0,14,143,115,3,33,137,83,3};
+inline constexpr std::uint8_t kFrame220[] = {11,32,36,3,2,1,2,176,173,27,27,28,17,2,2,1,24,31,48,14,143,115,3,33,137,83,3,1,24,31,48,1,135,147,3,33,137,83,3,4,184,51,99,0};
+inline constexpr std::uint8_t kPayload220[] = {17,2,2,1,24,31,48,14,143,115,3,33,137,83,3,1,24,31,48,1,135,147,3,33,137,83,3};
+inline constexpr std::uint8_t kFrame221[] = {11,32,36,3,2,1,2,176,173,27,27,32,17,2,2,1,24,31,48,14,143,115,3,33,137,83,3,1,24,31,48,14,143,115,3,1,135,147,3,51,170,238,254,0};
+inline constexpr std::uint8_t kPayload221[] = {17,2,2,1,24,31,48,14,143,115,3,33,137,83,3,1,24,31,48,14,143,115,3,1,135,147,3};
+inline constexpr std::uint8_t kFrame222[] = {11,32,36,3,2,1,2,176,173,27,27,25,17,2,2,1,24,31,48,14,143,115,3,33,137,83,3,1,24,31,48,14,143,115,3,9,1,1,5,186,7,69,28,0};
+inline constexpr std::uint8_t kPayload222[] = {17,2,2,1,24,31,48,14,143,115,3,33,137,83,3,1,24,31,48,14,143,115,3,9,0,0,0};
+inline constexpr std::uint8_t kFrame223[] = {11,160,164,3,2,1,2,176,173,27,4,9,17,2,7,1,104,210,163,134,0};
+inline constexpr std::uint8_t kPayload223[] = {17,2,7,1};
+inline constexpr std::uint8_t kFrame224[] = {11,160,164,3,2,1,2,176,173,27,2,7,17,2,177,99,192,42,0};
+inline constexpr std::uint8_t kPayload224[] = {17,2};
+inline constexpr std::uint8_t kFrame225[] = {11,160,164,3,2,1,2,176,173,27,3,1,7,4,7,38,126,244,134,0};
+inline constexpr std::uint8_t kPayload225[] = {0,4,7};
+inline constexpr std::uint8_t kFrame226[] = {11,160,164,3,2,1,2,176,173,27,3,8,17,2,17,182,165,158,57,0};
+inline constexpr std::uint8_t kPayload226[] = {17,2,17};
+inline constexpr std::uint8_t kFrame227[] = {11,33,37,3,2,1,2,176,173,27,7,12,18,2,24,41,58,75,1,204,33,98,251,0};
+inline constexpr std::uint8_t kPayload227[] = {18,2,24,41,58,75,1};
+inline constexpr std::uint8_t kFrame228[] = {11,33,37,3,2,1,2,176,173,27,5,10,18,2,24,41,58,50,16,248,249,0};
+inline constexpr std::uint8_t kPayload228[] = {18,2,24,41,58};
+inline constexpr std::uint8_t kFrame229[] = {11,33,37,3,2,1,2,176,173,27,6,11,1,4,24,41,58,75,115,92,175,127,0};
+inline constexpr std::uint8_t kPayload229[] = {1,4,24,41,58,75};
+inline constexpr std::uint8_t kFrame230[] = {11,33,37,3,2,1,2,176,173,27,6,1,1,9,24,41,58,75,22,41,115,65,0};
+inline constexpr std::uint8_t kPayload230[] = {0,0,24,41,58,75};
+inline constexpr std::uint8_t kFrame231[] = {11,161,165,3,2,1,2,176,173,27,11,16,18,2,24,41,58,75,31,48,65,82,1,166,220,57,31,0};
+inline constexpr std::uint8_t kPayload231[] = {18,2,24,41,58,75,31,48,65,82,1};
+inline constexpr std::uint8_t kFrame232[] = {11,161,165,3,2,1,2,176,173,27,9,14,18,2,24,41,58,75,31,48,65,116,27,76,1,0};
+inline constexpr std::uint8_t kPayload232[] = {18,2,24,41,58,75,31,48,65};
+inline constexpr std::uint8_t kFrame233[] = {11,161,165,3,2,1,2,176,173,27,10,15,1,4,24,41,58,75,31,48,65,82,250,183,19,200,0};
+inline constexpr std::uint8_t kPayload233[] = {1,4,24,41,58,75,31,48,65,82};
+inline constexpr std::uint8_t kFrame234[] = {11,161,165,3,2,1,2,176,173,27,10,1,1,13,24,41,58,75,31,48,65,82,200,141,61,122,0};
+inline constexpr std::uint8_t kPayload234[] = {0,0,24,41,58,75,31,48,65,82};
+inline constexpr std::uint8_t kFrame235[] = {11,34,38,3,2,1,2,176,173,27,28,16,17,34,51,68,24,41,58,75,31,48,65,82,13,201,13,3,110,23,1,4,7,144,56,9,59,76,1,1,47,37,35,164,0};
+inline constexpr std::uint8_t kPayload235[] = {17,34,51,68,24,41,58,75,31,48,65,82,13,201,13,0,110,23,0,0,7,144,56,0,59,76,1,1};
+inline constexpr std::uint8_t kFrame236[] = {11,34,38,3,2,1,2,176,173,27,26,16,17,34,51,68,24,41,58,75,31,48,65,82,13,201,13,3,110,23,1,4,7,144,56,7,59,76,115,69,29,227,0};
+inline constexpr std::uint8_t kPayload236[] = {17,34,51,68,24,41,58,75,31,48,65,82,13,201,13,0,110,23,0,0,7,144,56,0,59,76};
+inline constexpr std::uint8_t kFrame237[] = {11,34,38,3,2,1,2,176,173,27,27,1,1,1,1,12,24,41,58,75,31,48,65,82,13,201,13,3,110,23,1,4,7,144,56,8,59,76,1,61,203,132,55,0};
+inline constexpr std::uint8_t kPayload237[] = {0,0,0,0,24,41,58,75,31,48,65,82,13,201,13,0,110,23,0,0,7,144,56,0,59,76,1};
+inline constexpr std::uint8_t kFrame238[] = {11,34,38,3,2,1,2,176,173,27,27,9,17,34,51,68,24,41,58,75,1,1,1,4,13,201,13,3,110,23,1,4,7,144,56,8,59,76,1,160,49,204,185,0};
+inline constexpr std::uint8_t kPayload238[] = {17,34,51,68,24,41,58,75,0,0,0,0,13,201,13,0,110,23,0,0,7,144,56,0,59,76,1};
+inline constexpr std::uint8_t kFrame239[] = {11,34,38,3,2,1,2,176,173,27,27,16,17,34,51,68,24,41,58,75,31,48,65,82,65,66,15,3,110,23,1,4,7,144,56,8,59,76,1,33,136,244,44,0};
+inline constexpr std::uint8_t kPayload239[] = {17,34,51,68,24,41,58,75,31,48,65,82,65,66,15,0,110,23,0,0,7,144,56,0,59,76,1};
+inline constexpr std::uint8_t kFrame240[] = {11,34,38,3,2,1,2,176,173,27,27,16,17,34,51,68,24,41,58,75,31,48,65,82,13,201,13,4,161,134,1,4,7,144,56,8,59,76,1,222,20,174,4,0};
+inline constexpr std::uint8_t kPayload240[] = {17,34,51,68,24,41,58,75,31,48,65,82,13,201,13,0,161,134,1,0,7,144,56,0,59,76,1};
+inline constexpr std::uint8_t kFrame241[] = {11,34,38,3,2,1,2,176,173,27,27,16,17,34,51,68,24,41,58,75,31,48,65,82,13,201,13,1,1,1,1,4,7,144,56,8,59,76,1,83,28,61,200,0};
+inline constexpr std::uint8_t kPayload241[] = {17,34,51,68,24,41,58,75,31,48,65,82,13,201,13,0,0,0,0,0,7,144,56,0,59,76,1};
+inline constexpr std::uint8_t kFrame242[] = {11,34,38,3,2,1,2,176,173,27,27,16,17,34,51,68,24,41,58,75,31,48,65,82,13,201,13,3,110,23,1,4,129,150,152,8,59,76,1,191,152,85,66,0};
+inline constexpr std::uint8_t kPayload242[] = {17,34,51,68,24,41,58,75,31,48,65,82,13,201,13,0,110,23,0,0,129,150,152,0,59,76,1};
+inline constexpr std::uint8_t kFrame243[] = {11,34,38,3,2,1,2,176,173,27,27,16,17,34,51,68,24,41,58,75,31,48,65,82,13,201,13,3,110,23,1,4,7,144,56,8,59,76,2,70,106,228,150,0};
+inline constexpr std::uint8_t kPayload243[] = {17,34,51,68,24,41,58,75,31,48,65,82,13,201,13,0,110,23,0,0,7,144,56,0,59,76,2};
+inline constexpr std::uint8_t kFrame244[] = {11,162,166,3,2,1,2,176,173,27,13,18,17,34,51,68,24,41,58,75,31,48,65,82,1,172,214,10,69,0};
+inline constexpr std::uint8_t kPayload244[] = {17,34,51,68,24,41,58,75,31,48,65,82,1};
+inline constexpr std::uint8_t kFrame245[] = {11,162,166,3,2,1,2,176,173,27,11,16,17,34,51,68,24,41,58,75,31,48,65,194,117,158,47,0};
+inline constexpr std::uint8_t kPayload245[] = {17,34,51,68,24,41,58,75,31,48,65};
+inline constexpr std::uint8_t kFrame246[] = {11,162,166,3,2,1,2,176,173,27,12,1,1,1,1,13,24,41,58,75,31,48,65,82,201,180,24,14,0};
+inline constexpr std::uint8_t kPayload246[] = {0,0,0,0,24,41,58,75,31,48,65,82};
+inline constexpr std::uint8_t kFrame247[] = {11,35,39,3,2,1,2,176,173,27,5,10,17,34,51,68,1,225,4,12,100,0};
 inline constexpr std::uint8_t kPayload247[] = {17,34,51,68,1};
-inline constexpr std::uint8_t kFrame248[] = {11,37,41,3,2,1,2,176,173,27,3,8,17,34,51,22,4,236,153,0};
+inline constexpr std::uint8_t kFrame248[] = {11,35,39,3,2,1,2,176,173,27,3,8,17,34,51,16,67,200,155,0};
 inline constexpr std::uint8_t kPayload248[] = {17,34,51};
-inline constexpr std::uint8_t kFrame249[] = {11,165,169,3,2,1,2,176,173,27,6,11,2,24,41,58,75,1,145,228,170,152,0};
-inline constexpr std::uint8_t kPayload249[] = {2,24,41,58,75,1};
-inline constexpr std::uint8_t kFrame250[] = {11,165,169,3,2,1,2,176,173,27,4,9,2,24,41,58,103,34,207,235,0};
-inline constexpr std::uint8_t kPayload250[] = {2,24,41,58};
-inline constexpr std::uint8_t kFrame251[] = {11,165,169,3,2,1,2,176,173,27,5,10,5,24,41,58,75,232,155,102,244,0};
-inline constexpr std::uint8_t kPayload251[] = {5,24,41,58,75};
-inline constexpr std::uint8_t kFrame252[] = {11,38,42,3,2,1,2,176,173,27,2,7,5,1,106,163,30,20,0};
-inline constexpr std::uint8_t kPayload252[] = {5,1};
-inline constexpr std::uint8_t kFrame253[] = {10,38,42,3,2,1,2,176,173,27,1,5,59,115,115,114,0};
-inline constexpr std::uint8_t kFrame254[] = {11,38,42,3,2,1,2,176,173,27,1,6,10,243,246,108,130,0};
-inline constexpr std::uint8_t kPayload254[] = {10};
-inline constexpr std::uint8_t kFrame255[] = {11,166,170,3,2,1,2,176,173,27,2,7,5,1,157,233,179,212,0};
-inline constexpr std::uint8_t kPayload255[] = {5,1};
-inline constexpr std::uint8_t kFrame256[] = {10,166,170,3,2,1,2,176,173,27,1,5,165,79,151,227,0};
-inline constexpr std::uint8_t kFrame257[] = {11,166,170,3,2,1,2,176,173,27,1,6,10,140,172,74,149,0};
-inline constexpr std::uint8_t kPayload257[] = {10};
-inline constexpr std::uint8_t kFrame258[] = {11,39,43,3,2,1,2,176,173,27,6,11,17,34,51,68,1,1,21,242,201,40,0};
-inline constexpr std::uint8_t kPayload258[] = {17,34,51,68,1,1};
-inline constexpr std::uint8_t kFrame259[] = {11,39,43,3,2,1,2,176,173,27,4,9,17,34,51,68,213,118,19,3,0};
-inline constexpr std::uint8_t kPayload259[] = {17,34,51,68};
-inline constexpr std::uint8_t kFrame260[] = {11,39,43,3,2,1,2,176,173,27,5,10,17,34,51,68,2,56,176,193,108,0};
-inline constexpr std::uint8_t kPayload260[] = {17,34,51,68,2};
-inline constexpr std::uint8_t kFrame261[] = {11,167,171,3,2,1,2,176,173,27,9,14,17,34,51,68,24,41,58,75,1,12,153,134,6,0};
-inline constexpr std::uint8_t kPayload261[] = {17,34,51,68,24,41,58,75,1};
-inline constexpr std::uint8_t kFrame262[] = {11,167,171,3,2,1,2,176,173,27,7,12,17,34,51,68,24,41,58,89,20,205,52,0};
-inline constexpr std::uint8_t kPayload262[] = {17,34,51,68,24,41,58};
-inline constexpr std::uint8_t kFrame263[] = {11,48,52,3,2,1,2,176,173,27,1,6,1,170,136,27,10,0};
-inline constexpr std::uint8_t kPayload263[] = {1};
-inline constexpr std::uint8_t kFrame264[] = {11,176,180,3,2,1,2,176,173,27,57,62,17,34,51,68,24,41,58,75,31,48,65,82,38,55,72,89,45,62,79,96,52,69,86,103,59,76,93,110,66,83,100,117,73,90,107,124,80,97,114,131,87,104,121,138,94,111,128,145,101,118,135,152,108,125,142,159,1,237,105,198,10,0};
-inline constexpr std::uint8_t kPayload264[] = {17,34,51,68,24,41,58,75,31,48,65,82,38,55,72,89,45,62,79,96,52,69,86,103,59,76,93,110,66,83,100,117,73,90,107,124,80,97,114,131,87,104,121,138,94,111,128,145,101,118,135,152,108,125,142,159,1};
-inline constexpr std::uint8_t kFrame265[] = {11,176,180,3,2,1,2,176,173,27,55,60,17,34,51,68,24,41,58,75,31,48,65,82,38,55,72,89,45,62,79,96,52,69,86,103,59,76,93,110,66,83,100,117,73,90,107,124,80,97,114,131,87,104,121,138,94,111,128,145,101,118,135,152,108,125,142,178,33,88,56,0};
-inline constexpr std::uint8_t kPayload265[] = {17,34,51,68,24,41,58,75,31,48,65,82,38,55,72,89,45,62,79,96,52,69,86,103,59,76,93,110,66,83,100,117,73,90,107,124,80,97,114,131,87,104,121,138,94,111,128,145,101,118,135,152,108,125,142};
-inline constexpr std::uint8_t kFrame266[] = {11,49,53,3,2,1,2,176,173,27,1,6,1,5,27,48,80,0};
-inline constexpr std::uint8_t kPayload266[] = {1};
-inline constexpr std::uint8_t kFrame267[] = {11,177,181,3,2,1,2,176,173,27,21,16,115,101,114,105,97,108,95,110,117,109,98,101,114,45,48,10,1,1,38,5,1,172,10,246,244,0};
-inline constexpr std::uint8_t kPayload267[] = {115,101,114,105,97,108,95,110,117,109,98,101,114,45,48,0,1,1,38,5,1};
-inline constexpr std::uint8_t kFrame268[] = {11,177,181,3,2,1,2,176,173,27,19,16,115,101,114,105,97,108,95,110,117,109,98,101,114,45,48,8,1,1,38,26,201,53,46,0};
-inline constexpr std::uint8_t kPayload268[] = {115,101,114,105,97,108,95,110,117,109,98,101,114,45,48,0,1,1,38};
-inline constexpr std::uint8_t kFrame269[] = {11,177,181,3,2,1,2,176,173,27,20,4,97,10,98,1,1,1,1,1,1,1,1,1,1,1,1,9,1,1,38,5,148,26,84,177,0};
-inline constexpr std::uint8_t kPayload269[] = {97,10,98,0,0,0,0,0,0,0,0,0,0,0,0,0,1,1,38,5};
-inline constexpr std::uint8_t kFrame270[] = {11,177,181,3,2,1,2,176,173,27,20,2,97,2,98,1,1,1,1,1,1,1,1,1,1,1,1,9,1,1,38,5,224,1,65,204,0};
-inline constexpr std::uint8_t kPayload270[] = {97,0,98,0,0,0,0,0,0,0,0,0,0,0,0,0,1,1,38,5};
-inline constexpr std::uint8_t kFrame271[] = {11,177,181,3,2,1,2,176,173,27,20,16,115,101,114,105,97,108,95,110,117,109,98,101,114,45,48,9,3,1,38,5,122,33,244,144,0};
-inline constexpr std::uint8_t kPayload271[] = {115,101,114,105,97,108,95,110,117,109,98,101,114,45,48,0,3,1,38,5};
-inline constexpr std::uint8_t kFrame272[] = {11,177,181,3,2,1,2,176,173,27,20,16,115,101,114,105,97,108,95,110,117,109,98,101,114,45,48,9,1,2,38,5,168,87,187,56,0};
-inline constexpr std::uint8_t kPayload272[] = {115,101,114,105,97,108,95,110,117,109,98,101,114,45,48,0,1,2,38,5};
-inline constexpr std::uint8_t kFrame273[] = {11,177,181,3,2,1,2,176,173,27,20,16,115,101,114,105,97,108,95,110,117,109,98,101,114,45,48,9,1,1,64,5,208,37,90,9,0};
-inline constexpr std::uint8_t kPayload273[] = {115,101,114,105,97,108,95,110,117,109,98,101,114,45,48,0,1,1,64,5};
-inline constexpr std::uint8_t kFrame274[] = {11,177,181,3,2,1,2,176,173,27,20,16,115,101,114,105,97,108,95,110,117,109,98,101,114,45,48,9,1,1,38,8,76,149,76,68,0};
-inline constexpr std::uint8_t kPayload274[] = {115,101,114,105,97,108,95,110,117,109,98,101,114,45,48,0,1,1,38,8};
-inline constexpr std::uint8_t kFrame275[] = {11,50,54,3,2,1,2,176,173,27,21,16,115,101,114,105,97,108,95,110,117,109,98,101,114,45,48,10,1,1,38,5,1,172,61,58,218,0};
-inline constexpr std::uint8_t kPayload275[] = {115,101,114,105,97,108,95,110,117,109,98,101,114,45,48,0,1,1,38,5,1};
-inline constexpr std::uint8_t kFrame276[] = {11,50,54,3,2,1,2,176,173,27,19,16,115,101,114,105,97,108,95,110,117,109,98,101,114,45,48,8,1,1,38,82,22,125,19,0};
-inline constexpr std::uint8_t kPayload276[] = {115,101,114,105,97,108,95,110,117,109,98,101,114,45,48,0,1,1,38};
-inline constexpr std::uint8_t kFrame277[] = {11,50,54,3,2,1,2,176,173,27,20,4,97,10,98,1,1,1,1,1,1,1,1,1,1,1,1,9,1,1,38,5,233,155,110,201,0};
-inline constexpr std::uint8_t kPayload277[] = {97,10,98,0,0,0,0,0,0,0,0,0,0,0,0,0,1,1,38,5};
-inline constexpr std::uint8_t kFrame278[] = {11,50,54,3,2,1,2,176,173,27,20,2,97,2,98,1,1,1,1,1,1,1,1,1,1,1,1,9,1,1,38,5,157,128,123,180,0};
-inline constexpr std::uint8_t kPayload278[] = {97,0,98,0,0,0,0,0,0,0,0,0,0,0,0,0,1,1,38,5};
-inline constexpr std::uint8_t kFrame279[] = {11,50,54,3,2,1,2,176,173,27,20,16,115,101,114,105,97,108,95,110,117,109,98,101,114,45,48,9,3,1,38,5,7,160,206,232,0};
-inline constexpr std::uint8_t kPayload279[] = {115,101,114,105,97,108,95,110,117,109,98,101,114,45,48,0,3,1,38,5};
-inline constexpr std::uint8_t kFrame280[] = {11,50,54,3,2,1,2,176,173,27,20,16,115,101,114,105,97,108,95,110,117,109,98,101,114,45,48,9,1,2,38,5,213,214,129,64,0};
-inline constexpr std::uint8_t kPayload280[] = {115,101,114,105,97,108,95,110,117,109,98,101,114,45,48,0,1,2,38,5};
-inline constexpr std::uint8_t kFrame281[] = {11,50,54,3,2,1,2,176,173,27,20,16,115,101,114,105,97,108,95,110,117,109,98,101,114,45,48,9,1,1,64,5,173,164,96,113,0};
-inline constexpr std::uint8_t kPayload281[] = {115,101,114,105,97,108,95,110,117,109,98,101,114,45,48,0,1,1,64,5};
-inline constexpr std::uint8_t kFrame282[] = {11,50,54,3,2,1,2,176,173,27,20,16,115,101,114,105,97,108,95,110,117,109,98,101,114,45,48,9,1,1,38,8,49,20,118,60,0};
-inline constexpr std::uint8_t kPayload282[] = {115,101,114,105,97,108,95,110,117,109,98,101,114,45,48,0,1,1,38,8};
-inline constexpr std::uint8_t kFrame283[] = {11,178,182,3,2,1,2,176,173,27,21,16,115,101,114,105,97,108,95,110,117,109,98,101,114,45,48,10,1,1,38,5,1,96,59,193,46,0};
-inline constexpr std::uint8_t kPayload283[] = {115,101,114,105,97,108,95,110,117,109,98,101,114,45,48,0,1,1,38,5,1};
-inline constexpr std::uint8_t kFrame284[] = {11,178,182,3,2,1,2,176,173,27,19,16,115,101,114,105,97,108,95,110,117,109,98,101,114,45,48,8,1,1,38,110,135,156,207,0};
-inline constexpr std::uint8_t kPayload284[] = {115,101,114,105,97,108,95,110,117,109,98,101,114,45,48,0,1,1,38};
-inline constexpr std::uint8_t kFrame285[] = {11,178,182,3,2,1,2,176,173,27,20,4,97,10,98,1,1,1,1,1,1,1,1,1,1,1,1,9,1,1,38,5,255,6,221,230,0};
-inline constexpr std::uint8_t kPayload285[] = {97,10,98,0,0,0,0,0,0,0,0,0,0,0,0,0,1,1,38,5};
-inline constexpr std::uint8_t kFrame286[] = {11,178,182,3,2,1,2,176,173,27,20,2,97,2,98,1,1,1,1,1,1,1,1,1,1,1,1,9,1,1,38,5,139,29,200,155,0};
-inline constexpr std::uint8_t kPayload286[] = {97,0,98,0,0,0,0,0,0,0,0,0,0,0,0,0,1,1,38,5};
-inline constexpr std::uint8_t kFrame287[] = {11,178,182,3,2,1,2,176,173,27,20,16,115,101,114,105,97,108,95,110,117,109,98,101,114,45,48,9,3,1,38,5,17,61,125,199,0};
-inline constexpr std::uint8_t kPayload287[] = {115,101,114,105,97,108,95,110,117,109,98,101,114,45,48,0,3,1,38,5};
-inline constexpr std::uint8_t kFrame288[] = {11,178,182,3,2,1,2,176,173,27,20,16,115,101,114,105,97,108,95,110,117,109,98,101,114,45,48,9,1,2,38,5,195,75,50,111,0};
-inline constexpr std::uint8_t kPayload288[] = {115,101,114,105,97,108,95,110,117,109,98,101,114,45,48,0,1,2,38,5};
-inline constexpr std::uint8_t kFrame289[] = {11,178,182,3,2,1,2,176,173,27,20,16,115,101,114,105,97,108,95,110,117,109,98,101,114,45,48,9,1,1,64,5,187,57,211,94,0};
-inline constexpr std::uint8_t kPayload289[] = {115,101,114,105,97,108,95,110,117,109,98,101,114,45,48,0,1,1,64,5};
-inline constexpr std::uint8_t kFrame290[] = {11,178,182,3,2,1,2,176,173,27,20,16,115,101,114,105,97,108,95,110,117,109,98,101,114,45,48,9,1,1,38,8,39,137,197,19,0};
-inline constexpr std::uint8_t kPayload290[] = {115,101,114,105,97,108,95,110,117,109,98,101,114,45,48,0,1,1,38,8};
-inline constexpr std::uint8_t kFrame291[] = {11,254,2,4,2,1,2,176,173,27,7,12,18,24,31,48,65,82,1,200,50,72,58,0};
-inline constexpr std::uint8_t kPayload291[] = {18,24,31,48,65,82,1};
-inline constexpr std::uint8_t kFrame292[] = {11,254,2,4,2,1,2,176,173,27,5,10,18,24,31,48,65,14,105,131,243,0};
-inline constexpr std::uint8_t kPayload292[] = {18,24,31,48,65};
-inline constexpr std::uint8_t kFrame293[] = {11,254,2,4,2,1,2,176,173,27,6,11,28,24,31,48,65,82,168,23,169,4,0};
-inline constexpr std::uint8_t kPayload293[] = {28,24,31,48,65,82};
-inline constexpr std::uint8_t kFrame294[] = {11,255,3,4,2,1,2,176,173,27,7,12,18,24,31,48,65,82,1,106,79,188,82,0};
-inline constexpr std::uint8_t kPayload294[] = {18,24,31,48,65,82,1};
-inline constexpr std::uint8_t kFrame295[] = {11,255,3,4,2,1,2,176,173,27,5,10,18,24,31,48,65,119,35,16,228,0};
-inline constexpr std::uint8_t kPayload295[] = {18,24,31,48,65};
-inline constexpr std::uint8_t kFrame296[] = {11,255,3,4,2,1,2,176,173,27,6,11,28,24,31,48,65,82,122,77,103,45,0};
-inline constexpr std::uint8_t kPayload296[] = {28,24,31,48,65,82};
-inline constexpr std::uint8_t kFrame297[] = {11,64,68,3,2,1,2,176,173,27,2,7,4,1,190,40,112,98,0};
-inline constexpr std::uint8_t kPayload297[] = {4,1};
-inline constexpr std::uint8_t kFrame298[] = {10,64,68,3,2,1,2,176,173,27,1,5,131,27,60,5,0};
-inline constexpr std::uint8_t kFrame299[] = {11,64,68,3,2,1,2,176,173,27,1,6,8,9,227,175,169,0};
-inline constexpr std::uint8_t kPayload299[] = {8};
-inline constexpr std::uint8_t kFrame300[] = {11,65,69,3,2,1,2,176,173,27,36,41,17,34,51,68,24,41,58,75,31,48,65,82,38,3,45,62,4,27,66,83,100,117,134,151,168,185,73,90,107,124,80,97,114,131,2,1,124,149,135,62,0};
-inline constexpr std::uint8_t kPayload300[] = {17,34,51,68,24,41,58,75,31,48,65,82,38,3,45,62,4,27,66,83,100,117,134,151,168,185,73,90,107,124,80,97,114,131,2,1};
-inline constexpr std::uint8_t kFrame301[] = {11,65,69,3,2,1,2,176,173,27,34,39,17,34,51,68,24,41,58,75,31,48,65,82,38,3,45,62,4,27,66,83,100,117,134,151,168,185,73,90,107,124,80,97,114,131,151,70,33,45,0};
-inline constexpr std::uint8_t kPayload301[] = {17,34,51,68,24,41,58,75,31,48,65,82,38,3,45,62,4,27,66,83,100,117,134,151,168,185,73,90,107,124,80,97,114,131};
-inline constexpr std::uint8_t kFrame302[] = {11,65,69,3,2,1,2,176,173,27,35,13,17,34,51,68,24,41,58,75,31,48,65,82,27,4,45,62,4,27,66,83,100,117,134,151,168,185,73,90,107,124,80,97,114,131,2,189,254,76,88,0};
-inline constexpr std::uint8_t kPayload302[] = {17,34,51,68,24,41,58,75,31,48,65,82,0,4,45,62,4,27,66,83,100,117,134,151,168,185,73,90,107,124,80,97,114,131,2};
-inline constexpr std::uint8_t kFrame303[] = {11,65,69,3,2,1,2,176,173,27,35,40,17,34,51,68,24,41,58,75,31,48,65,82,38,3,45,62,16,27,66,83,100,117,134,151,168,185,73,90,107,124,80,97,114,131,2,247,136,144,40,0};
-inline constexpr std::uint8_t kPayload303[] = {17,34,51,68,24,41,58,75,31,48,65,82,38,3,45,62,16,27,66,83,100,117,134,151,168,185,73,90,107,124,80,97,114,131,2};
-inline constexpr std::uint8_t kFrame304[] = {11,65,69,3,2,1,2,176,173,27,35,40,17,34,51,68,24,41,58,75,31,48,65,82,38,3,45,62,4,32,66,83,100,117,134,151,168,185,73,90,107,124,80,97,114,131,2,89,41,136,92,0};
-inline constexpr std::uint8_t kPayload304[] = {17,34,51,68,24,41,58,75,31,48,65,82,38,3,45,62,4,32,66,83,100,117,134,151,168,185,73,90,107,124,80,97,114,131,2};
-inline constexpr std::uint8_t kFrame305[] = {11,66,70,3,2,1,2,176,173,27,22,27,3,24,41,58,75,31,48,65,82,38,55,72,89,45,62,79,96,113,130,147,164,1,191,88,120,171,0};
-inline constexpr std::uint8_t kPayload305[] = {3,24,41,58,75,31,48,65,82,38,55,72,89,45,62,79,96,113,130,147,164,1};
-inline constexpr std::uint8_t kFrame306[] = {11,66,70,3,2,1,2,176,173,27,20,25,3,24,41,58,75,31,48,65,82,38,55,72,89,45,62,79,96,113,130,147,167,214,251,146,0};
-inline constexpr std::uint8_t kPayload306[] = {3,24,41,58,75,31,48,65,82,38,55,72,89,45,62,79,96,113,130,147};
-inline constexpr std::uint8_t kFrame307[] = {11,66,70,3,2,1,2,176,173,27,21,26,6,24,41,58,75,31,48,65,82,38,55,72,89,45,62,79,96,113,130,147,164,16,40,201,93,0};
-inline constexpr std::uint8_t kPayload307[] = {6,24,41,58,75,31,48,65,82,38,55,72,89,45,62,79,96,113,130,147,164};
-inline constexpr std::uint8_t kFrame308[] = {11,67,71,3,2,1,2,176,173,27,20,25,5,24,41,58,75,31,48,38,55,72,89,106,123,140,157,45,62,79,96,1,252,141,62,215,0};
-inline constexpr std::uint8_t kPayload308[] = {5,24,41,58,75,31,48,38,55,72,89,106,123,140,157,45,62,79,96,1};
-inline constexpr std::uint8_t kFrame309[] = {11,67,71,3,2,1,2,176,173,27,18,23,5,24,41,58,75,31,48,38,55,72,89,106,123,140,157,45,62,79,183,250,207,189,0};
-inline constexpr std::uint8_t kPayload309[] = {5,24,41,58,75,31,48,38,55,72,89,106,123,140,157,45,62,79};
-inline constexpr std::uint8_t kFrame310[] = {11,67,71,3,2,1,2,176,173,27,19,24,10,24,41,58,75,31,48,38,55,72,89,106,123,140,157,45,62,79,96,80,114,77,22,0};
-inline constexpr std::uint8_t kPayload310[] = {10,24,41,58,75,31,48,38,55,72,89,106,123,140,157,45,62,79,96};
-inline constexpr std::uint8_t kFrame311[] = {0};
-inline constexpr std::uint8_t kFrame312[] = {3,3,7,1,1,5,2,176,173,27,1,5,194,232,196,242,0};
-inline constexpr std::uint8_t kFrame313[] = {3,2,7,1,1,5,2,176,173,27,1,5,194,232,196,226,0};
-inline constexpr std::uint8_t kFrame314[] = {3,63,7,1,1,6,2,176,173,27,3,7,1,2,3,213,18,186,0};
-inline constexpr std::uint8_t kFrame315[] = {3,3,7,1,1,5,2,176,173,27,1,4,194,232,196,0};
-inline constexpr std::uint8_t kFrame316[] = {3,3,7,1,1,5,116,181,85,28,0};
-inline constexpr std::uint8_t kFrame317[] = {2,1,0};
-inline constexpr std::uint8_t kFrame318[] = {3,3,7,1,1,6,2,176,173,27,3,7,1,2,62,208,100,243,0};
-inline constexpr std::uint8_t kFrame319[] = {3,3,7,1,1,6,2,176,173,27,1,7,1,2,181,24,109,89,0};
-inline constexpr std::uint8_t kFrame320[] = {255,3,7,7,7,7,2,176,173,27,7,7,194,232,196,226,0};
-inline constexpr std::uint8_t kFrame321[] = {3,3,7,1,1,255,2,176,173,27,3,1,51,51,51,51,51,51,51,51,51,51,51,51,51,51,51,51,51,51,51,51,51,51,51,51,51,51,51,51,51,51,51,51,51,51,51,51,51,51,51,51,51,51,51,51,51,51,51,51,51,51,51,51,51,51,51,51,51,51,51,51,51,51,51,51,51,51,51,51,51,51,51,51,51,51,51,51,51,51,51,51,51,51,51,51,51,51,51,51,51,51,51,51,51,51,51,51,51,51,51,51,51,51,51,51,51,51,51,51,51,51,51,51,51,51,51,51,51,51,51,51,51,51,51,51,51,51,51,51,51,51,51,51,51,51,51,51,51,51,51,51,51,51,51,51,51,51,51,51,51,51,51,51,51,51,51,51,51,51,51,51,51,51,51,51,51,51,51,51,51,51,51,51,51,51,51,51,51,51,51,51,51,51,51,51,51,51,51,51,51,51,51,51,51,51,51,51,51,51,51,51,51,51,51,51,51,51,51,51,51,51,51,51,51,51,51,51,51,51,51,51,51,51,51,51,51,51,51,51,51,51,51,51,51,51,51,51,51,51,51,51,51,51,51,51,51,51,51,51,16,51,51,51,51,51,51,51,51,51,51,51,53,139,168,158,0};
-inline constexpr std::uint8_t kFrame322[] = {11,63,67,3,2,1,2,176,173,27,3,8,1,2,3,231,233,190,182,0};
-inline constexpr std::uint8_t kPayload322[] = {1,2,3};
+inline constexpr std::uint8_t kFrame249[] = {11,35,39,3,2,1,2,176,173,27,4,1,1,1,1,5,86,192,44,245,0};
+inline constexpr std::uint8_t kPayload249[] = {0,0,0,0};
+inline constexpr std::uint8_t kFrame250[] = {11,163,167,3,2,1,2,176,173,27,6,11,2,24,41,58,75,1,50,165,28,31,0};
+inline constexpr std::uint8_t kPayload250[] = {2,24,41,58,75,1};
+inline constexpr std::uint8_t kFrame251[] = {11,163,167,3,2,1,2,176,173,27,4,9,2,24,41,58,21,163,174,2,0};
+inline constexpr std::uint8_t kPayload251[] = {2,24,41,58};
+inline constexpr std::uint8_t kFrame252[] = {11,163,167,3,2,1,2,176,173,27,5,10,5,24,41,58,75,121,234,132,74,0};
+inline constexpr std::uint8_t kPayload252[] = {5,24,41,58,75};
+inline constexpr std::uint8_t kFrame253[] = {11,36,40,3,2,1,2,176,173,27,5,10,17,34,51,68,1,9,63,125,205,0};
+inline constexpr std::uint8_t kPayload253[] = {17,34,51,68,1};
+inline constexpr std::uint8_t kFrame254[] = {11,36,40,3,2,1,2,176,173,27,3,8,17,34,51,229,60,117,217,0};
+inline constexpr std::uint8_t kPayload254[] = {17,34,51};
+inline constexpr std::uint8_t kFrame255[] = {11,36,40,3,2,1,2,176,173,27,4,1,1,1,1,5,186,123,185,56,0};
+inline constexpr std::uint8_t kPayload255[] = {0,0,0,0};
+inline constexpr std::uint8_t kFrame256[] = {11,164,168,3,2,1,2,176,173,27,6,11,2,24,41,58,75,1,67,190,100,177,0};
+inline constexpr std::uint8_t kPayload256[] = {2,24,41,58,75,1};
+inline constexpr std::uint8_t kFrame257[] = {11,164,168,3,2,1,2,176,173,27,4,9,2,24,41,58,249,24,59,207,0};
+inline constexpr std::uint8_t kPayload257[] = {2,24,41,58};
+inline constexpr std::uint8_t kFrame258[] = {11,164,168,3,2,1,2,176,173,27,5,10,5,24,41,58,75,145,209,245,227,0};
+inline constexpr std::uint8_t kPayload258[] = {5,24,41,58,75};
+inline constexpr std::uint8_t kFrame259[] = {11,37,41,3,2,1,2,176,173,27,5,10,17,34,51,68,1,112,117,238,218,0};
+inline constexpr std::uint8_t kPayload259[] = {17,34,51,68,1};
+inline constexpr std::uint8_t kFrame260[] = {11,37,41,3,2,1,2,176,173,27,3,8,17,34,51,22,4,236,153,0};
+inline constexpr std::uint8_t kPayload260[] = {17,34,51};
+inline constexpr std::uint8_t kFrame261[] = {11,165,169,3,2,1,2,176,173,27,6,11,2,24,41,58,75,1,145,228,170,152,0};
+inline constexpr std::uint8_t kPayload261[] = {2,24,41,58,75,1};
+inline constexpr std::uint8_t kFrame262[] = {11,165,169,3,2,1,2,176,173,27,4,9,2,24,41,58,103,34,207,235,0};
+inline constexpr std::uint8_t kPayload262[] = {2,24,41,58};
+inline constexpr std::uint8_t kFrame263[] = {11,165,169,3,2,1,2,176,173,27,5,10,5,24,41,58,75,232,155,102,244,0};
+inline constexpr std::uint8_t kPayload263[] = {5,24,41,58,75};
+inline constexpr std::uint8_t kFrame264[] = {11,38,42,3,2,1,2,176,173,27,2,7,5,1,106,163,30,20,0};
+inline constexpr std::uint8_t kPayload264[] = {5,1};
+inline constexpr std::uint8_t kFrame265[] = {10,38,42,3,2,1,2,176,173,27,1,5,59,115,115,114,0};
+inline constexpr std::uint8_t kFrame266[] = {11,38,42,3,2,1,2,176,173,27,1,6,10,243,246,108,130,0};
+inline constexpr std::uint8_t kPayload266[] = {10};
+inline constexpr std::uint8_t kFrame267[] = {11,166,170,3,2,1,2,176,173,27,2,7,5,1,157,233,179,212,0};
+inline constexpr std::uint8_t kPayload267[] = {5,1};
+inline constexpr std::uint8_t kFrame268[] = {10,166,170,3,2,1,2,176,173,27,1,5,165,79,151,227,0};
+inline constexpr std::uint8_t kFrame269[] = {11,166,170,3,2,1,2,176,173,27,1,6,10,140,172,74,149,0};
+inline constexpr std::uint8_t kPayload269[] = {10};
+inline constexpr std::uint8_t kFrame270[] = {11,39,43,3,2,1,2,176,173,27,6,11,17,34,51,68,1,1,21,242,201,40,0};
+inline constexpr std::uint8_t kPayload270[] = {17,34,51,68,1,1};
+inline constexpr std::uint8_t kFrame271[] = {11,39,43,3,2,1,2,176,173,27,4,9,17,34,51,68,213,118,19,3,0};
+inline constexpr std::uint8_t kPayload271[] = {17,34,51,68};
+inline constexpr std::uint8_t kFrame272[] = {11,39,43,3,2,1,2,176,173,27,5,10,17,34,51,68,2,56,176,193,108,0};
+inline constexpr std::uint8_t kPayload272[] = {17,34,51,68,2};
+inline constexpr std::uint8_t kFrame273[] = {11,167,171,3,2,1,2,176,173,27,9,14,17,34,51,68,24,41,58,75,1,12,153,134,6,0};
+inline constexpr std::uint8_t kPayload273[] = {17,34,51,68,24,41,58,75,1};
+inline constexpr std::uint8_t kFrame274[] = {11,167,171,3,2,1,2,176,173,27,7,12,17,34,51,68,24,41,58,89,20,205,52,0};
+inline constexpr std::uint8_t kPayload274[] = {17,34,51,68,24,41,58};
+inline constexpr std::uint8_t kFrame275[] = {11,48,52,3,2,1,2,176,173,27,1,6,1,170,136,27,10,0};
+inline constexpr std::uint8_t kPayload275[] = {1};
+inline constexpr std::uint8_t kFrame276[] = {11,176,180,3,2,1,2,176,173,27,57,62,17,34,51,68,24,41,58,75,31,48,65,82,38,55,72,89,45,62,79,96,52,69,86,103,59,76,93,110,66,83,100,117,73,90,107,124,80,97,114,131,87,104,121,138,94,111,128,145,101,118,135,152,108,125,142,159,1,237,105,198,10,0};
+inline constexpr std::uint8_t kPayload276[] = {17,34,51,68,24,41,58,75,31,48,65,82,38,55,72,89,45,62,79,96,52,69,86,103,59,76,93,110,66,83,100,117,73,90,107,124,80,97,114,131,87,104,121,138,94,111,128,145,101,118,135,152,108,125,142,159,1};
+inline constexpr std::uint8_t kFrame277[] = {11,176,180,3,2,1,2,176,173,27,55,60,17,34,51,68,24,41,58,75,31,48,65,82,38,55,72,89,45,62,79,96,52,69,86,103,59,76,93,110,66,83,100,117,73,90,107,124,80,97,114,131,87,104,121,138,94,111,128,145,101,118,135,152,108,125,142,178,33,88,56,0};
+inline constexpr std::uint8_t kPayload277[] = {17,34,51,68,24,41,58,75,31,48,65,82,38,55,72,89,45,62,79,96,52,69,86,103,59,76,93,110,66,83,100,117,73,90,107,124,80,97,114,131,87,104,121,138,94,111,128,145,101,118,135,152,108,125,142};
+inline constexpr std::uint8_t kFrame278[] = {11,49,53,3,2,1,2,176,173,27,1,6,1,5,27,48,80,0};
+inline constexpr std::uint8_t kPayload278[] = {1};
+inline constexpr std::uint8_t kFrame279[] = {11,177,181,3,2,1,2,176,173,27,21,16,115,101,114,105,97,108,95,110,117,109,98,101,114,45,48,10,1,1,38,5,1,172,10,246,244,0};
+inline constexpr std::uint8_t kPayload279[] = {115,101,114,105,97,108,95,110,117,109,98,101,114,45,48,0,1,1,38,5,1};
+inline constexpr std::uint8_t kFrame280[] = {11,177,181,3,2,1,2,176,173,27,19,16,115,101,114,105,97,108,95,110,117,109,98,101,114,45,48,8,1,1,38,26,201,53,46,0};
+inline constexpr std::uint8_t kPayload280[] = {115,101,114,105,97,108,95,110,117,109,98,101,114,45,48,0,1,1,38};
+inline constexpr std::uint8_t kFrame281[] = {11,177,181,3,2,1,2,176,173,27,20,4,97,10,98,1,1,1,1,1,1,1,1,1,1,1,1,9,1,1,38,5,148,26,84,177,0};
+inline constexpr std::uint8_t kPayload281[] = {97,10,98,0,0,0,0,0,0,0,0,0,0,0,0,0,1,1,38,5};
+inline constexpr std::uint8_t kFrame282[] = {11,177,181,3,2,1,2,176,173,27,20,2,97,2,98,1,1,1,1,1,1,1,1,1,1,1,1,9,1,1,38,5,224,1,65,204,0};
+inline constexpr std::uint8_t kPayload282[] = {97,0,98,0,0,0,0,0,0,0,0,0,0,0,0,0,1,1,38,5};
+inline constexpr std::uint8_t kFrame283[] = {11,177,181,3,2,1,2,176,173,27,20,16,115,101,114,105,97,108,95,110,117,109,98,101,114,45,48,9,3,1,38,5,122,33,244,144,0};
+inline constexpr std::uint8_t kPayload283[] = {115,101,114,105,97,108,95,110,117,109,98,101,114,45,48,0,3,1,38,5};
+inline constexpr std::uint8_t kFrame284[] = {11,177,181,3,2,1,2,176,173,27,20,16,115,101,114,105,97,108,95,110,117,109,98,101,114,45,48,9,1,2,38,5,168,87,187,56,0};
+inline constexpr std::uint8_t kPayload284[] = {115,101,114,105,97,108,95,110,117,109,98,101,114,45,48,0,1,2,38,5};
+inline constexpr std::uint8_t kFrame285[] = {11,177,181,3,2,1,2,176,173,27,20,16,115,101,114,105,97,108,95,110,117,109,98,101,114,45,48,9,1,1,64,5,208,37,90,9,0};
+inline constexpr std::uint8_t kPayload285[] = {115,101,114,105,97,108,95,110,117,109,98,101,114,45,48,0,1,1,64,5};
+inline constexpr std::uint8_t kFrame286[] = {11,177,181,3,2,1,2,176,173,27,20,16,115,101,114,105,97,108,95,110,117,109,98,101,114,45,48,9,1,1,38,8,76,149,76,68,0};
+inline constexpr std::uint8_t kPayload286[] = {115,101,114,105,97,108,95,110,117,109,98,101,114,45,48,0,1,1,38,8};
+inline constexpr std::uint8_t kFrame287[] = {11,50,54,3,2,1,2,176,173,27,21,16,115,101,114,105,97,108,95,110,117,109,98,101,114,45,48,10,1,1,38,5,1,172,61,58,218,0};
+inline constexpr std::uint8_t kPayload287[] = {115,101,114,105,97,108,95,110,117,109,98,101,114,45,48,0,1,1,38,5,1};
+inline constexpr std::uint8_t kFrame288[] = {11,50,54,3,2,1,2,176,173,27,19,16,115,101,114,105,97,108,95,110,117,109,98,101,114,45,48,8,1,1,38,82,22,125,19,0};
+inline constexpr std::uint8_t kPayload288[] = {115,101,114,105,97,108,95,110,117,109,98,101,114,45,48,0,1,1,38};
+inline constexpr std::uint8_t kFrame289[] = {11,50,54,3,2,1,2,176,173,27,20,4,97,10,98,1,1,1,1,1,1,1,1,1,1,1,1,9,1,1,38,5,233,155,110,201,0};
+inline constexpr std::uint8_t kPayload289[] = {97,10,98,0,0,0,0,0,0,0,0,0,0,0,0,0,1,1,38,5};
+inline constexpr std::uint8_t kFrame290[] = {11,50,54,3,2,1,2,176,173,27,20,2,97,2,98,1,1,1,1,1,1,1,1,1,1,1,1,9,1,1,38,5,157,128,123,180,0};
+inline constexpr std::uint8_t kPayload290[] = {97,0,98,0,0,0,0,0,0,0,0,0,0,0,0,0,1,1,38,5};
+inline constexpr std::uint8_t kFrame291[] = {11,50,54,3,2,1,2,176,173,27,20,16,115,101,114,105,97,108,95,110,117,109,98,101,114,45,48,9,3,1,38,5,7,160,206,232,0};
+inline constexpr std::uint8_t kPayload291[] = {115,101,114,105,97,108,95,110,117,109,98,101,114,45,48,0,3,1,38,5};
+inline constexpr std::uint8_t kFrame292[] = {11,50,54,3,2,1,2,176,173,27,20,16,115,101,114,105,97,108,95,110,117,109,98,101,114,45,48,9,1,2,38,5,213,214,129,64,0};
+inline constexpr std::uint8_t kPayload292[] = {115,101,114,105,97,108,95,110,117,109,98,101,114,45,48,0,1,2,38,5};
+inline constexpr std::uint8_t kFrame293[] = {11,50,54,3,2,1,2,176,173,27,20,16,115,101,114,105,97,108,95,110,117,109,98,101,114,45,48,9,1,1,64,5,173,164,96,113,0};
+inline constexpr std::uint8_t kPayload293[] = {115,101,114,105,97,108,95,110,117,109,98,101,114,45,48,0,1,1,64,5};
+inline constexpr std::uint8_t kFrame294[] = {11,50,54,3,2,1,2,176,173,27,20,16,115,101,114,105,97,108,95,110,117,109,98,101,114,45,48,9,1,1,38,8,49,20,118,60,0};
+inline constexpr std::uint8_t kPayload294[] = {115,101,114,105,97,108,95,110,117,109,98,101,114,45,48,0,1,1,38,8};
+inline constexpr std::uint8_t kFrame295[] = {11,178,182,3,2,1,2,176,173,27,21,16,115,101,114,105,97,108,95,110,117,109,98,101,114,45,48,10,1,1,38,5,1,96,59,193,46,0};
+inline constexpr std::uint8_t kPayload295[] = {115,101,114,105,97,108,95,110,117,109,98,101,114,45,48,0,1,1,38,5,1};
+inline constexpr std::uint8_t kFrame296[] = {11,178,182,3,2,1,2,176,173,27,19,16,115,101,114,105,97,108,95,110,117,109,98,101,114,45,48,8,1,1,38,110,135,156,207,0};
+inline constexpr std::uint8_t kPayload296[] = {115,101,114,105,97,108,95,110,117,109,98,101,114,45,48,0,1,1,38};
+inline constexpr std::uint8_t kFrame297[] = {11,178,182,3,2,1,2,176,173,27,20,4,97,10,98,1,1,1,1,1,1,1,1,1,1,1,1,9,1,1,38,5,255,6,221,230,0};
+inline constexpr std::uint8_t kPayload297[] = {97,10,98,0,0,0,0,0,0,0,0,0,0,0,0,0,1,1,38,5};
+inline constexpr std::uint8_t kFrame298[] = {11,178,182,3,2,1,2,176,173,27,20,2,97,2,98,1,1,1,1,1,1,1,1,1,1,1,1,9,1,1,38,5,139,29,200,155,0};
+inline constexpr std::uint8_t kPayload298[] = {97,0,98,0,0,0,0,0,0,0,0,0,0,0,0,0,1,1,38,5};
+inline constexpr std::uint8_t kFrame299[] = {11,178,182,3,2,1,2,176,173,27,20,16,115,101,114,105,97,108,95,110,117,109,98,101,114,45,48,9,3,1,38,5,17,61,125,199,0};
+inline constexpr std::uint8_t kPayload299[] = {115,101,114,105,97,108,95,110,117,109,98,101,114,45,48,0,3,1,38,5};
+inline constexpr std::uint8_t kFrame300[] = {11,178,182,3,2,1,2,176,173,27,20,16,115,101,114,105,97,108,95,110,117,109,98,101,114,45,48,9,1,2,38,5,195,75,50,111,0};
+inline constexpr std::uint8_t kPayload300[] = {115,101,114,105,97,108,95,110,117,109,98,101,114,45,48,0,1,2,38,5};
+inline constexpr std::uint8_t kFrame301[] = {11,178,182,3,2,1,2,176,173,27,20,16,115,101,114,105,97,108,95,110,117,109,98,101,114,45,48,9,1,1,64,5,187,57,211,94,0};
+inline constexpr std::uint8_t kPayload301[] = {115,101,114,105,97,108,95,110,117,109,98,101,114,45,48,0,1,1,64,5};
+inline constexpr std::uint8_t kFrame302[] = {11,178,182,3,2,1,2,176,173,27,20,16,115,101,114,105,97,108,95,110,117,109,98,101,114,45,48,9,1,1,38,8,39,137,197,19,0};
+inline constexpr std::uint8_t kPayload302[] = {115,101,114,105,97,108,95,110,117,109,98,101,114,45,48,0,1,1,38,8};
+inline constexpr std::uint8_t kFrame303[] = {11,51,55,3,2,1,2,176,173,27,1,6,1,91,60,103,228,0};
+inline constexpr std::uint8_t kPayload303[] = {1};
+inline constexpr std::uint8_t kFrame304[] = {11,179,183,3,2,1,2,176,173,27,49,54,17,24,31,38,45,52,59,66,73,80,87,94,101,108,115,122,129,136,143,150,157,164,171,178,185,192,199,206,213,220,227,234,241,248,255,6,13,20,27,34,41,48,55,62,69,76,83,90,1,197,206,126,19,0};
+inline constexpr std::uint8_t kPayload304[] = {17,24,31,38,45,52,59,66,73,80,87,94,101,108,115,122,129,136,143,150,157,164,171,178,185,192,199,206,213,220,227,234,241,248,255,6,13,20,27,34,41,48,55,62,69,76,83,90,1};
+inline constexpr std::uint8_t kFrame305[] = {11,179,183,3,2,1,2,176,173,27,47,52,17,24,31,38,45,52,59,66,73,80,87,94,101,108,115,122,129,136,143,150,157,164,171,178,185,192,199,206,213,220,227,234,241,248,255,6,13,20,27,34,41,48,55,62,69,76,83,231,116,243,40,0};
+inline constexpr std::uint8_t kPayload305[] = {17,24,31,38,45,52,59,66,73,80,87,94,101,108,115,122,129,136,143,150,157,164,171,178,185,192,199,206,213,220,227,234,241,248,255,6,13,20,27,34,41,48,55,62,69,76,83};
+inline constexpr std::uint8_t kFrame306[] = {11,52,56,3,2,1,2,176,173,27,49,54,17,24,31,38,45,52,59,66,73,80,87,94,101,108,115,122,129,136,143,150,157,164,171,178,185,192,199,206,213,220,227,234,241,248,255,6,13,20,27,34,41,48,55,62,69,76,83,90,1,6,212,5,34,0};
+inline constexpr std::uint8_t kPayload306[] = {17,24,31,38,45,52,59,66,73,80,87,94,101,108,115,122,129,136,143,150,157,164,171,178,185,192,199,206,213,220,227,234,241,248,255,6,13,20,27,34,41,48,55,62,69,76,83,90,1};
+inline constexpr std::uint8_t kFrame307[] = {11,52,56,3,2,1,2,176,173,27,47,52,17,24,31,38,45,52,59,66,73,80,87,94,101,108,115,122,129,136,143,150,157,164,171,178,185,192,199,206,213,220,227,234,241,248,255,6,13,20,27,34,41,48,55,62,69,76,83,186,147,242,102,0};
+inline constexpr std::uint8_t kPayload307[] = {17,24,31,38,45,52,59,66,73,80,87,94,101,108,115,122,129,136,143,150,157,164,171,178,185,192,199,206,213,220,227,234,241,248,255,6,13,20,27,34,41,48,55,62,69,76,83};
+inline constexpr std::uint8_t kFrame308[] = {11,180,184,3,2,1,2,176,173,27,49,54,17,24,31,38,45,52,59,66,73,80,87,94,101,108,115,122,129,136,143,150,157,164,171,178,185,192,199,206,213,220,227,234,241,248,255,6,13,20,27,34,41,48,55,62,69,76,83,90,1,55,81,192,51,0};
+inline constexpr std::uint8_t kPayload308[] = {17,24,31,38,45,52,59,66,73,80,87,94,101,108,115,122,129,136,143,150,157,164,171,178,185,192,199,206,213,220,227,234,241,248,255,6,13,20,27,34,41,48,55,62,69,76,83,90,1};
+inline constexpr std::uint8_t kFrame309[] = {11,180,184,3,2,1,2,176,173,27,47,52,17,24,31,38,45,52,59,66,73,80,87,94,101,108,115,122,129,136,143,150,157,164,171,178,185,192,199,206,213,220,227,234,241,248,255,6,13,20,27,34,41,48,55,62,69,76,83,67,240,213,137,0};
+inline constexpr std::uint8_t kPayload309[] = {17,24,31,38,45,52,59,66,73,80,87,94,101,108,115,122,129,136,143,150,157,164,171,178,185,192,199,206,213,220,227,234,241,248,255,6,13,20,27,34,41,48,55,62,69,76,83};
+inline constexpr std::uint8_t kFrame310[] = {11,254,2,4,2,1,2,176,173,27,7,12,19,24,31,48,65,82,1,124,57,63,156,0};
+inline constexpr std::uint8_t kPayload310[] = {19,24,31,48,65,82,1};
+inline constexpr std::uint8_t kFrame311[] = {11,254,2,4,2,1,2,176,173,27,5,10,19,24,31,48,65,190,64,227,206,0};
+inline constexpr std::uint8_t kPayload311[] = {19,24,31,48,65};
+inline constexpr std::uint8_t kFrame312[] = {11,254,2,4,2,1,2,176,173,27,6,11,30,24,31,48,65,82,163,182,97,73,0};
+inline constexpr std::uint8_t kPayload312[] = {30,24,31,48,65,82};
+inline constexpr std::uint8_t kFrame313[] = {11,255,3,4,2,1,2,176,173,27,7,12,19,24,31,48,65,82,1,222,68,203,244,0};
+inline constexpr std::uint8_t kPayload313[] = {19,24,31,48,65,82,1};
+inline constexpr std::uint8_t kFrame314[] = {11,255,3,4,2,1,2,176,173,27,5,10,19,24,31,48,65,199,10,112,217,0};
+inline constexpr std::uint8_t kPayload314[] = {19,24,31,48,65};
+inline constexpr std::uint8_t kFrame315[] = {11,255,3,4,2,1,2,176,173,27,6,11,30,24,31,48,65,82,113,236,175,96,0};
+inline constexpr std::uint8_t kPayload315[] = {30,24,31,48,65,82};
+inline constexpr std::uint8_t kFrame316[] = {11,64,68,3,2,1,2,176,173,27,2,7,4,1,190,40,112,98,0};
+inline constexpr std::uint8_t kPayload316[] = {4,1};
+inline constexpr std::uint8_t kFrame317[] = {10,64,68,3,2,1,2,176,173,27,1,5,131,27,60,5,0};
+inline constexpr std::uint8_t kFrame318[] = {11,64,68,3,2,1,2,176,173,27,1,6,8,9,227,175,169,0};
+inline constexpr std::uint8_t kPayload318[] = {8};
+inline constexpr std::uint8_t kFrame319[] = {11,65,69,3,2,1,2,176,173,27,36,41,17,34,51,68,24,41,58,75,31,48,65,82,38,3,45,62,4,27,66,83,100,117,134,151,168,185,73,90,107,124,80,97,114,131,2,1,124,149,135,62,0};
+inline constexpr std::uint8_t kPayload319[] = {17,34,51,68,24,41,58,75,31,48,65,82,38,3,45,62,4,27,66,83,100,117,134,151,168,185,73,90,107,124,80,97,114,131,2,1};
+inline constexpr std::uint8_t kFrame320[] = {11,65,69,3,2,1,2,176,173,27,34,39,17,34,51,68,24,41,58,75,31,48,65,82,38,3,45,62,4,27,66,83,100,117,134,151,168,185,73,90,107,124,80,97,114,131,151,70,33,45,0};
+inline constexpr std::uint8_t kPayload320[] = {17,34,51,68,24,41,58,75,31,48,65,82,38,3,45,62,4,27,66,83,100,117,134,151,168,185,73,90,107,124,80,97,114,131};
+inline constexpr std::uint8_t kFrame321[] = {11,65,69,3,2,1,2,176,173,27,35,13,17,34,51,68,24,41,58,75,31,48,65,82,27,4,45,62,4,27,66,83,100,117,134,151,168,185,73,90,107,124,80,97,114,131,2,189,254,76,88,0};
+inline constexpr std::uint8_t kPayload321[] = {17,34,51,68,24,41,58,75,31,48,65,82,0,4,45,62,4,27,66,83,100,117,134,151,168,185,73,90,107,124,80,97,114,131,2};
+inline constexpr std::uint8_t kFrame322[] = {11,65,69,3,2,1,2,176,173,27,35,40,17,34,51,68,24,41,58,75,31,48,65,82,38,3,45,62,16,27,66,83,100,117,134,151,168,185,73,90,107,124,80,97,114,131,2,247,136,144,40,0};
+inline constexpr std::uint8_t kPayload322[] = {17,34,51,68,24,41,58,75,31,48,65,82,38,3,45,62,16,27,66,83,100,117,134,151,168,185,73,90,107,124,80,97,114,131,2};
+inline constexpr std::uint8_t kFrame323[] = {11,65,69,3,2,1,2,176,173,27,35,40,17,34,51,68,24,41,58,75,31,48,65,82,38,3,45,62,4,32,66,83,100,117,134,151,168,185,73,90,107,124,80,97,114,131,2,89,41,136,92,0};
+inline constexpr std::uint8_t kPayload323[] = {17,34,51,68,24,41,58,75,31,48,65,82,38,3,45,62,4,32,66,83,100,117,134,151,168,185,73,90,107,124,80,97,114,131,2};
+inline constexpr std::uint8_t kFrame324[] = {11,66,70,3,2,1,2,176,173,27,22,27,3,24,41,58,75,31,48,65,82,38,55,72,89,45,62,79,96,113,130,147,164,1,191,88,120,171,0};
+inline constexpr std::uint8_t kPayload324[] = {3,24,41,58,75,31,48,65,82,38,55,72,89,45,62,79,96,113,130,147,164,1};
+inline constexpr std::uint8_t kFrame325[] = {11,66,70,3,2,1,2,176,173,27,20,25,3,24,41,58,75,31,48,65,82,38,55,72,89,45,62,79,96,113,130,147,167,214,251,146,0};
+inline constexpr std::uint8_t kPayload325[] = {3,24,41,58,75,31,48,65,82,38,55,72,89,45,62,79,96,113,130,147};
+inline constexpr std::uint8_t kFrame326[] = {11,66,70,3,2,1,2,176,173,27,21,26,6,24,41,58,75,31,48,65,82,38,55,72,89,45,62,79,96,113,130,147,164,16,40,201,93,0};
+inline constexpr std::uint8_t kPayload326[] = {6,24,41,58,75,31,48,65,82,38,55,72,89,45,62,79,96,113,130,147,164};
+inline constexpr std::uint8_t kFrame327[] = {11,67,71,3,2,1,2,176,173,27,20,25,5,24,41,58,75,31,48,38,55,72,89,106,123,140,157,45,62,79,96,1,252,141,62,215,0};
+inline constexpr std::uint8_t kPayload327[] = {5,24,41,58,75,31,48,38,55,72,89,106,123,140,157,45,62,79,96,1};
+inline constexpr std::uint8_t kFrame328[] = {11,67,71,3,2,1,2,176,173,27,18,23,5,24,41,58,75,31,48,38,55,72,89,106,123,140,157,45,62,79,183,250,207,189,0};
+inline constexpr std::uint8_t kPayload328[] = {5,24,41,58,75,31,48,38,55,72,89,106,123,140,157,45,62,79};
+inline constexpr std::uint8_t kFrame329[] = {11,67,71,3,2,1,2,176,173,27,19,24,10,24,41,58,75,31,48,38,55,72,89,106,123,140,157,45,62,79,96,80,114,77,22,0};
+inline constexpr std::uint8_t kPayload329[] = {10,24,41,58,75,31,48,38,55,72,89,106,123,140,157,45,62,79,96};
+inline constexpr std::uint8_t kFrame330[] = {0};
+inline constexpr std::uint8_t kFrame331[] = {3,3,7,1,1,5,2,176,173,27,1,5,194,232,196,242,0};
+inline constexpr std::uint8_t kFrame332[] = {3,2,7,1,1,5,2,176,173,27,1,5,194,232,196,226,0};
+inline constexpr std::uint8_t kFrame333[] = {3,63,7,1,1,6,2,176,173,27,3,7,1,2,3,213,18,186,0};
+inline constexpr std::uint8_t kFrame334[] = {3,3,7,1,1,5,2,176,173,27,1,4,194,232,196,0};
+inline constexpr std::uint8_t kFrame335[] = {3,3,7,1,1,5,116,181,85,28,0};
+inline constexpr std::uint8_t kFrame336[] = {2,1,0};
+inline constexpr std::uint8_t kFrame337[] = {3,3,7,1,1,6,2,176,173,27,3,7,1,2,62,208,100,243,0};
+inline constexpr std::uint8_t kFrame338[] = {3,3,7,1,1,6,2,176,173,27,1,7,1,2,181,24,109,89,0};
+inline constexpr std::uint8_t kFrame339[] = {255,3,7,7,7,7,2,176,173,27,7,7,194,232,196,226,0};
+inline constexpr std::uint8_t kFrame340[] = {3,3,7,1,1,255,2,176,173,27,3,1,51,51,51,51,51,51,51,51,51,51,51,51,51,51,51,51,51,51,51,51,51,51,51,51,51,51,51,51,51,51,51,51,51,51,51,51,51,51,51,51,51,51,51,51,51,51,51,51,51,51,51,51,51,51,51,51,51,51,51,51,51,51,51,51,51,51,51,51,51,51,51,51,51,51,51,51,51,51,51,51,51,51,51,51,51,51,51,51,51,51,51,51,51,51,51,51,51,51,51,51,51,51,51,51,51,51,51,51,51,51,51,51,51,51,51,51,51,51,51,51,51,51,51,51,51,51,51,51,51,51,51,51,51,51,51,51,51,51,51,51,51,51,51,51,51,51,51,51,51,51,51,51,51,51,51,51,51,51,51,51,51,51,51,51,51,51,51,51,51,51,51,51,51,51,51,51,51,51,51,51,51,51,51,51,51,51,51,51,51,51,51,51,51,51,51,51,51,51,51,51,51,51,51,51,51,51,51,51,51,51,51,51,51,51,51,51,51,51,51,51,51,51,51,51,51,51,51,51,51,51,51,51,51,51,51,51,51,51,51,51,51,51,51,51,51,51,51,51,16,51,51,51,51,51,51,51,51,51,51,51,53,139,168,158,0};
+inline constexpr std::uint8_t kFrame341[] = {11,63,67,3,2,1,2,176,173,27,3,8,1,2,3,231,233,190,182,0};
+inline constexpr std::uint8_t kPayload341[] = {1,2,3};
 
 inline constexpr std::uint8_t kStuffed0[] = {1};
 inline constexpr std::uint8_t kPlain1[] = {0};
@@ -1403,215 +1489,234 @@ inline constexpr FrameVector kFrames[] = {
     {"set_settings_reply_typical", Verdict::kOk, data::kFrame111, sizeof data::kFrame111, 178, 16909238U, 464367618U, data::kPayload111, sizeof data::kPayload111, 0, data::matches111, data::decode_as<wire::SetSettingsReply>},
     {"set_settings_reply_least", Verdict::kOk, data::kFrame112, sizeof data::kFrame112, 178, 16909238U, 464367618U, data::kPayload112, sizeof data::kPayload112, 0, data::matches112, data::decode_as<wire::SetSettingsReply>},
     {"set_settings_reply_greatest", Verdict::kOk, data::kFrame113, sizeof data::kFrame113, 178, 16909238U, 464367618U, data::kPayload113, sizeof data::kPayload113, 0, data::matches113, data::decode_as<wire::SetSettingsReply>},
-    {"rejected_typical", Verdict::kOk, data::kFrame114, sizeof data::kFrame114, 254, 16909314U, 464367618U, data::kPayload114, sizeof data::kPayload114, 0, data::matches114, data::decode_as<wire::Rejected>},
-    {"rejected_least", Verdict::kOk, data::kFrame115, sizeof data::kFrame115, 254, 16909314U, 464367618U, data::kPayload115, sizeof data::kPayload115, 0, data::matches115, data::decode_as<wire::Rejected>},
-    {"rejected_greatest", Verdict::kOk, data::kFrame116, sizeof data::kFrame116, 254, 16909314U, 464367618U, data::kPayload116, sizeof data::kPayload116, 0, data::matches116, data::decode_as<wire::Rejected>},
-    {"failed_typical", Verdict::kOk, data::kFrame117, sizeof data::kFrame117, 255, 16909315U, 464367618U, data::kPayload117, sizeof data::kPayload117, 0, data::matches117, data::decode_as<wire::Failed>},
-    {"failed_least", Verdict::kOk, data::kFrame118, sizeof data::kFrame118, 255, 16909315U, 464367618U, data::kPayload118, sizeof data::kPayload118, 0, data::matches118, data::decode_as<wire::Failed>},
-    {"failed_greatest", Verdict::kOk, data::kFrame119, sizeof data::kFrame119, 255, 16909315U, 464367618U, data::kPayload119, sizeof data::kPayload119, 0, data::matches119, data::decode_as<wire::Failed>},
-    {"booted_event_typical", Verdict::kOk, data::kFrame120, sizeof data::kFrame120, 64, 16909124U, 464367618U, data::kPayload120, sizeof data::kPayload120, 0, data::matches120, data::decode_as<wire::BootedEvent>},
-    {"booted_event_least", Verdict::kOk, data::kFrame121, sizeof data::kFrame121, 64, 16909124U, 464367618U, data::kPayload121, sizeof data::kPayload121, 0, data::matches121, data::decode_as<wire::BootedEvent>},
-    {"booted_event_greatest", Verdict::kOk, data::kFrame122, sizeof data::kFrame122, 64, 16909124U, 464367618U, data::kPayload122, sizeof data::kPayload122, 0, data::matches122, data::decode_as<wire::BootedEvent>},
-    {"exposure_event_typical", Verdict::kOk, data::kFrame123, sizeof data::kFrame123, 65, 16909125U, 464367618U, data::kPayload123, sizeof data::kPayload123, 0, data::matches123, data::decode_as<wire::ExposureEvent>},
-    {"exposure_event_least", Verdict::kOk, data::kFrame124, sizeof data::kFrame124, 65, 16909125U, 464367618U, data::kPayload124, sizeof data::kPayload124, 0, data::matches124, data::decode_as<wire::ExposureEvent>},
-    {"exposure_event_greatest", Verdict::kOk, data::kFrame125, sizeof data::kFrame125, 65, 16909125U, 464367618U, data::kPayload125, sizeof data::kPayload125, 0, data::matches125, data::decode_as<wire::ExposureEvent>},
-    {"sequence_event_typical", Verdict::kOk, data::kFrame126, sizeof data::kFrame126, 66, 16909126U, 464367618U, data::kPayload126, sizeof data::kPayload126, 0, data::matches126, data::decode_as<wire::SequenceEvent>},
-    {"sequence_event_least", Verdict::kOk, data::kFrame127, sizeof data::kFrame127, 66, 16909126U, 464367618U, data::kPayload127, sizeof data::kPayload127, 0, data::matches127, data::decode_as<wire::SequenceEvent>},
-    {"sequence_event_greatest", Verdict::kOk, data::kFrame128, sizeof data::kFrame128, 66, 16909126U, 464367618U, data::kPayload128, sizeof data::kPayload128, 0, data::matches128, data::decode_as<wire::SequenceEvent>},
-    {"fault_event_typical", Verdict::kOk, data::kFrame129, sizeof data::kFrame129, 67, 16909127U, 464367618U, data::kPayload129, sizeof data::kPayload129, 0, data::matches129, data::decode_as<wire::FaultEvent>},
-    {"fault_event_least", Verdict::kOk, data::kFrame130, sizeof data::kFrame130, 67, 16909127U, 464367618U, data::kPayload130, sizeof data::kPayload130, 0, data::matches130, data::decode_as<wire::FaultEvent>},
-    {"fault_event_greatest", Verdict::kOk, data::kFrame131, sizeof data::kFrame131, 67, 16909127U, 464367618U, data::kPayload131, sizeof data::kPayload131, 0, data::matches131, data::decode_as<wire::FaultEvent>},
-    {"cobs_zeros", Verdict::kOk, data::kFrame132, sizeof data::kFrame132, 17, 16909077U, 464367618U, data::kPayload132, sizeof data::kPayload132, 0, data::matches132, data::decode_as<wire::ApertureChunkRequest>},
-    {"cobs_ones", Verdict::kOk, data::kFrame133, sizeof data::kFrame133, 17, 16909077U, 464367618U, data::kPayload133, sizeof data::kPayload133, 0, data::matches133, data::decode_as<wire::ApertureChunkRequest>},
-    {"cobs_run_253", Verdict::kOk, data::kFrame134, sizeof data::kFrame134, 17, 16909077U, 464367618U, data::kPayload134, sizeof data::kPayload134, 0, data::matches134, data::decode_as<wire::ApertureChunkRequest>},
-    {"cobs_run_254", Verdict::kOk, data::kFrame135, sizeof data::kFrame135, 17, 16909077U, 464367618U, data::kPayload135, sizeof data::kPayload135, 0, data::matches135, data::decode_as<wire::ApertureChunkRequest>},
-    {"cobs_run_255", Verdict::kOk, data::kFrame136, sizeof data::kFrame136, 17, 16909077U, 464367618U, data::kPayload136, sizeof data::kPayload136, 0, data::matches136, data::decode_as<wire::ApertureChunkRequest>},
-    {"hello_request_too_long", Verdict::kBadLength, data::kFrame137, sizeof data::kFrame137, 1, 16909061U, 464367618U, data::kPayload137, sizeof data::kPayload137, 0, nullptr, data::decode_as<wire::HelloRequest>},
-    {"hello_reply_too_long", Verdict::kBadLength, data::kFrame138, sizeof data::kFrame138, 129, 16909189U, 464367618U, data::kPayload138, sizeof data::kPayload138, 0, nullptr, data::decode_as<wire::HelloReply>},
-    {"hello_reply_too_short", Verdict::kBadLength, data::kFrame139, sizeof data::kFrame139, 129, 16909189U, 464367618U, data::kPayload139, sizeof data::kPayload139, 0, nullptr, data::decode_as<wire::HelloReply>},
-    {"hello_reply_bad_firmware_version", Verdict::kOutOfRange, data::kFrame140, sizeof data::kFrame140, 129, 16909189U, 464367618U, data::kPayload140, sizeof data::kPayload140, 2, nullptr, data::decode_as<wire::HelloReply>},
-    {"hello_reply_bad_firmware_version1", Verdict::kOutOfRange, data::kFrame141, sizeof data::kFrame141, 129, 16909189U, 464367618U, data::kPayload141, sizeof data::kPayload141, 2, nullptr, data::decode_as<wire::HelloReply>},
-    {"hello_reply_bad_git_hash", Verdict::kOutOfRange, data::kFrame142, sizeof data::kFrame142, 129, 16909189U, 464367618U, data::kPayload142, sizeof data::kPayload142, 3, nullptr, data::decode_as<wire::HelloReply>},
-    {"hello_reply_bad_git_hash1", Verdict::kOutOfRange, data::kFrame143, sizeof data::kFrame143, 129, 16909189U, 464367618U, data::kPayload143, sizeof data::kPayload143, 3, nullptr, data::decode_as<wire::HelloReply>},
-    {"hello_reply_bad_board", Verdict::kOutOfRange, data::kFrame144, sizeof data::kFrame144, 129, 16909189U, 464367618U, data::kPayload144, sizeof data::kPayload144, 4, nullptr, data::decode_as<wire::HelloReply>},
-    {"hello_reply_bad_board1", Verdict::kOutOfRange, data::kFrame145, sizeof data::kFrame145, 129, 16909189U, 464367618U, data::kPayload145, sizeof data::kPayload145, 4, nullptr, data::decode_as<wire::HelloReply>},
-    {"hello_reply_bad_serial_number", Verdict::kOutOfRange, data::kFrame146, sizeof data::kFrame146, 129, 16909189U, 464367618U, data::kPayload146, sizeof data::kPayload146, 5, nullptr, data::decode_as<wire::HelloReply>},
-    {"hello_reply_bad_serial_number1", Verdict::kOutOfRange, data::kFrame147, sizeof data::kFrame147, 129, 16909189U, 464367618U, data::kPayload147, sizeof data::kPayload147, 5, nullptr, data::decode_as<wire::HelloReply>},
-    {"hello_reply_bad_reset_cause", Verdict::kOutOfRange, data::kFrame148, sizeof data::kFrame148, 129, 16909189U, 464367618U, data::kPayload148, sizeof data::kPayload148, 7, nullptr, data::decode_as<wire::HelloReply>},
-    {"hello_reply_bad_boot_nonce", Verdict::kOutOfRange, data::kFrame149, sizeof data::kFrame149, 129, 16909189U, 464367618U, data::kPayload149, sizeof data::kPayload149, 8, nullptr, data::decode_as<wire::HelloReply>},
-    {"enter_bootloader_request_too_long", Verdict::kBadLength, data::kFrame150, sizeof data::kFrame150, 2, 16909062U, 464367618U, data::kPayload150, sizeof data::kPayload150, 0, nullptr, data::decode_as<wire::EnterBootloaderRequest>},
-    {"enter_bootloader_request_too_short", Verdict::kBadLength, data::kFrame151, sizeof data::kFrame151, 2, 16909062U, 464367618U, data::kPayload151, sizeof data::kPayload151, 0, nullptr, data::decode_as<wire::EnterBootloaderRequest>},
-    {"enter_bootloader_reply_too_long", Verdict::kBadLength, data::kFrame152, sizeof data::kFrame152, 130, 16909190U, 464367618U, data::kPayload152, sizeof data::kPayload152, 0, nullptr, data::decode_as<wire::EnterBootloaderReply>},
-    {"enter_bootloader_reply_too_short", Verdict::kBadLength, data::kFrame153, sizeof data::kFrame153, 130, 16909190U, 464367618U, data::kPayload153, sizeof data::kPayload153, 0, nullptr, data::decode_as<wire::EnterBootloaderReply>},
-    {"status_request_too_long", Verdict::kBadLength, data::kFrame154, sizeof data::kFrame154, 3, 16909063U, 464367618U, data::kPayload154, sizeof data::kPayload154, 0, nullptr, data::decode_as<wire::StatusRequest>},
-    {"status_reply_too_long", Verdict::kBadLength, data::kFrame155, sizeof data::kFrame155, 131, 16909191U, 464367618U, data::kPayload155, sizeof data::kPayload155, 0, nullptr, data::decode_as<wire::StatusReply>},
-    {"status_reply_too_short", Verdict::kBadLength, data::kFrame156, sizeof data::kFrame156, 131, 16909191U, 464367618U, data::kPayload156, sizeof data::kPayload156, 0, nullptr, data::decode_as<wire::StatusReply>},
-    {"status_reply_bad_sequence", Verdict::kOutOfRange, data::kFrame157, sizeof data::kFrame157, 131, 16909191U, 464367618U, data::kPayload157, sizeof data::kPayload157, 0, nullptr, data::decode_as<wire::StatusReply>},
-    {"status_reply_bad_fault", Verdict::kOutOfRange, data::kFrame158, sizeof data::kFrame158, 131, 16909191U, 464367618U, data::kPayload158, sizeof data::kPayload158, 1, nullptr, data::decode_as<wire::StatusReply>},
-    {"status_reply_bad_aperture", Verdict::kOutOfRange, data::kFrame159, sizeof data::kFrame159, 131, 16909191U, 464367618U, data::kPayload159, sizeof data::kPayload159, 2, nullptr, data::decode_as<wire::StatusReply>},
-    {"status_reply_bad_light", Verdict::kOutOfRange, data::kFrame160, sizeof data::kFrame160, 131, 16909191U, 464367618U, data::kPayload160, sizeof data::kPayload160, 3, nullptr, data::decode_as<wire::StatusReply>},
-    {"status_reply_bad_camera_ready", Verdict::kOutOfRange, data::kFrame161, sizeof data::kFrame161, 131, 16909191U, 464367618U, data::kPayload161, sizeof data::kPayload161, 4, nullptr, data::decode_as<wire::StatusReply>},
-    {"limits_request_too_long", Verdict::kBadLength, data::kFrame162, sizeof data::kFrame162, 4, 16909064U, 464367618U, data::kPayload162, sizeof data::kPayload162, 0, nullptr, data::decode_as<wire::LimitsRequest>},
-    {"limits_reply_too_long", Verdict::kBadLength, data::kFrame163, sizeof data::kFrame163, 132, 16909192U, 464367618U, data::kPayload163, sizeof data::kPayload163, 0, nullptr, data::decode_as<wire::LimitsReply>},
-    {"limits_reply_too_short", Verdict::kBadLength, data::kFrame164, sizeof data::kFrame164, 132, 16909192U, 464367618U, data::kPayload164, sizeof data::kPayload164, 0, nullptr, data::decode_as<wire::LimitsReply>},
-    {"load_light_request_too_long", Verdict::kBadLength, data::kFrame165, sizeof data::kFrame165, 16, 16909076U, 464367618U, data::kPayload165, sizeof data::kPayload165, 0, nullptr, data::decode_as<wire::LoadLightRequest>},
-    {"load_light_request_too_short", Verdict::kBadLength, data::kFrame166, sizeof data::kFrame166, 16, 16909076U, 464367618U, data::kPayload166, sizeof data::kPayload166, 0, nullptr, data::decode_as<wire::LoadLightRequest>},
-    {"load_light_request_bad_slot", Verdict::kOutOfRange, data::kFrame167, sizeof data::kFrame167, 16, 16909076U, 464367618U, data::kPayload167, sizeof data::kPayload167, 0, nullptr, data::decode_as<wire::LoadLightRequest>},
-    {"load_light_request_bad_levels", Verdict::kOutOfRange, data::kFrame168, sizeof data::kFrame168, 16, 16909076U, 464367618U, data::kPayload168, sizeof data::kPayload168, 1, nullptr, data::decode_as<wire::LoadLightRequest>},
-    {"load_light_reply_too_long", Verdict::kBadLength, data::kFrame169, sizeof data::kFrame169, 144, 16909204U, 464367618U, data::kPayload169, sizeof data::kPayload169, 0, nullptr, data::decode_as<wire::LoadLightReply>},
-    {"load_light_reply_too_short", Verdict::kBadLength, data::kFrame170, sizeof data::kFrame170, 144, 16909204U, 464367618U, data::kPayload170, sizeof data::kPayload170, 0, nullptr, data::decode_as<wire::LoadLightReply>},
-    {"load_light_reply_bad_slot", Verdict::kOutOfRange, data::kFrame171, sizeof data::kFrame171, 144, 16909204U, 464367618U, data::kPayload171, sizeof data::kPayload171, 0, nullptr, data::decode_as<wire::LoadLightReply>},
-    {"aperture_chunk_request_too_short", Verdict::kBadLength, data::kFrame172, sizeof data::kFrame172, 17, 16909077U, 464367618U, data::kPayload172, sizeof data::kPayload172, 0, nullptr, data::decode_as<wire::ApertureChunkRequest>},
-    {"aperture_chunk_request_bad_slot", Verdict::kOutOfRange, data::kFrame173, sizeof data::kFrame173, 17, 16909077U, 464367618U, data::kPayload173, sizeof data::kPayload173, 0, nullptr, data::decode_as<wire::ApertureChunkRequest>},
-    {"aperture_chunk_request_bad_chunk", Verdict::kOutOfRange, data::kFrame174, sizeof data::kFrame174, 17, 16909077U, 464367618U, data::kPayload174, sizeof data::kPayload174, 1, nullptr, data::decode_as<wire::ApertureChunkRequest>},
-    {"aperture_chunk_reply_too_long", Verdict::kBadLength, data::kFrame175, sizeof data::kFrame175, 145, 16909205U, 464367618U, data::kPayload175, sizeof data::kPayload175, 0, nullptr, data::decode_as<wire::ApertureChunkReply>},
-    {"aperture_chunk_reply_too_short", Verdict::kBadLength, data::kFrame176, sizeof data::kFrame176, 145, 16909205U, 464367618U, data::kPayload176, sizeof data::kPayload176, 0, nullptr, data::decode_as<wire::ApertureChunkReply>},
-    {"aperture_chunk_reply_bad_slot", Verdict::kOutOfRange, data::kFrame177, sizeof data::kFrame177, 145, 16909205U, 464367618U, data::kPayload177, sizeof data::kPayload177, 0, nullptr, data::decode_as<wire::ApertureChunkReply>},
-    {"aperture_chunk_reply_bad_chunk", Verdict::kOutOfRange, data::kFrame178, sizeof data::kFrame178, 145, 16909205U, 464367618U, data::kPayload178, sizeof data::kPayload178, 1, nullptr, data::decode_as<wire::ApertureChunkReply>},
-    {"commit_aperture_request_too_long", Verdict::kBadLength, data::kFrame179, sizeof data::kFrame179, 18, 16909078U, 464367618U, data::kPayload179, sizeof data::kPayload179, 0, nullptr, data::decode_as<wire::CommitApertureRequest>},
-    {"commit_aperture_request_too_short", Verdict::kBadLength, data::kFrame180, sizeof data::kFrame180, 18, 16909078U, 464367618U, data::kPayload180, sizeof data::kPayload180, 0, nullptr, data::decode_as<wire::CommitApertureRequest>},
-    {"commit_aperture_request_bad_slot", Verdict::kOutOfRange, data::kFrame181, sizeof data::kFrame181, 18, 16909078U, 464367618U, data::kPayload181, sizeof data::kPayload181, 0, nullptr, data::decode_as<wire::CommitApertureRequest>},
-    {"commit_aperture_reply_too_long", Verdict::kBadLength, data::kFrame182, sizeof data::kFrame182, 146, 16909206U, 464367618U, data::kPayload182, sizeof data::kPayload182, 0, nullptr, data::decode_as<wire::CommitApertureReply>},
-    {"commit_aperture_reply_too_short", Verdict::kBadLength, data::kFrame183, sizeof data::kFrame183, 146, 16909206U, 464367618U, data::kPayload183, sizeof data::kPayload183, 0, nullptr, data::decode_as<wire::CommitApertureReply>},
-    {"commit_aperture_reply_bad_slot", Verdict::kOutOfRange, data::kFrame184, sizeof data::kFrame184, 146, 16909206U, 464367618U, data::kPayload184, sizeof data::kPayload184, 0, nullptr, data::decode_as<wire::CommitApertureReply>},
-    {"commit_aperture_reply_bad_open_pixels", Verdict::kOutOfRange, data::kFrame185, sizeof data::kFrame185, 146, 16909206U, 464367618U, data::kPayload185, sizeof data::kPayload185, 2, nullptr, data::decode_as<wire::CommitApertureReply>},
-    {"select_aperture_request_too_long", Verdict::kBadLength, data::kFrame186, sizeof data::kFrame186, 19, 16909079U, 464367618U, data::kPayload186, sizeof data::kPayload186, 0, nullptr, data::decode_as<wire::SelectApertureRequest>},
-    {"select_aperture_request_too_short", Verdict::kBadLength, data::kFrame187, sizeof data::kFrame187, 19, 16909079U, 464367618U, nullptr, 0, 0, nullptr, data::decode_as<wire::SelectApertureRequest>},
-    {"select_aperture_request_bad_slot", Verdict::kOutOfRange, data::kFrame188, sizeof data::kFrame188, 19, 16909079U, 464367618U, data::kPayload188, sizeof data::kPayload188, 0, nullptr, data::decode_as<wire::SelectApertureRequest>},
-    {"select_aperture_reply_too_long", Verdict::kBadLength, data::kFrame189, sizeof data::kFrame189, 147, 16909207U, 464367618U, data::kPayload189, sizeof data::kPayload189, 0, nullptr, data::decode_as<wire::SelectApertureReply>},
-    {"select_aperture_reply_too_short", Verdict::kBadLength, data::kFrame190, sizeof data::kFrame190, 147, 16909207U, 464367618U, data::kPayload190, sizeof data::kPayload190, 0, nullptr, data::decode_as<wire::SelectApertureReply>},
-    {"select_aperture_reply_bad_slot", Verdict::kOutOfRange, data::kFrame191, sizeof data::kFrame191, 147, 16909207U, 464367618U, data::kPayload191, sizeof data::kPayload191, 0, nullptr, data::decode_as<wire::SelectApertureReply>},
-    {"select_light_request_too_long", Verdict::kBadLength, data::kFrame192, sizeof data::kFrame192, 20, 16909080U, 464367618U, data::kPayload192, sizeof data::kPayload192, 0, nullptr, data::decode_as<wire::SelectLightRequest>},
-    {"select_light_request_too_short", Verdict::kBadLength, data::kFrame193, sizeof data::kFrame193, 20, 16909080U, 464367618U, nullptr, 0, 0, nullptr, data::decode_as<wire::SelectLightRequest>},
-    {"select_light_request_bad_slot", Verdict::kOutOfRange, data::kFrame194, sizeof data::kFrame194, 20, 16909080U, 464367618U, data::kPayload194, sizeof data::kPayload194, 0, nullptr, data::decode_as<wire::SelectLightRequest>},
-    {"select_light_reply_too_long", Verdict::kBadLength, data::kFrame195, sizeof data::kFrame195, 148, 16909208U, 464367618U, data::kPayload195, sizeof data::kPayload195, 0, nullptr, data::decode_as<wire::SelectLightReply>},
-    {"select_light_reply_too_short", Verdict::kBadLength, data::kFrame196, sizeof data::kFrame196, 148, 16909208U, 464367618U, data::kPayload196, sizeof data::kPayload196, 0, nullptr, data::decode_as<wire::SelectLightReply>},
-    {"select_light_reply_bad_slot", Verdict::kOutOfRange, data::kFrame197, sizeof data::kFrame197, 148, 16909208U, 464367618U, data::kPayload197, sizeof data::kPayload197, 0, nullptr, data::decode_as<wire::SelectLightReply>},
-    {"all_off_request_too_long", Verdict::kBadLength, data::kFrame198, sizeof data::kFrame198, 21, 16909081U, 464367618U, data::kPayload198, sizeof data::kPayload198, 0, nullptr, data::decode_as<wire::AllOffRequest>},
-    {"all_off_reply_too_long", Verdict::kBadLength, data::kFrame199, sizeof data::kFrame199, 149, 16909209U, 464367618U, data::kPayload199, sizeof data::kPayload199, 0, nullptr, data::decode_as<wire::AllOffReply>},
-    {"all_off_reply_too_short", Verdict::kBadLength, data::kFrame200, sizeof data::kFrame200, 149, 16909209U, 464367618U, nullptr, 0, 0, nullptr, data::decode_as<wire::AllOffReply>},
-    {"all_off_reply_bad_sequence", Verdict::kOutOfRange, data::kFrame201, sizeof data::kFrame201, 149, 16909209U, 464367618U, data::kPayload201, sizeof data::kPayload201, 0, nullptr, data::decode_as<wire::AllOffReply>},
-    {"step_chunk_request_too_long", Verdict::kBadLength, data::kFrame202, sizeof data::kFrame202, 32, 16909092U, 464367618U, data::kPayload202, sizeof data::kPayload202, 0, nullptr, data::decode_as<wire::StepChunkRequest>},
-    {"step_chunk_request_too_short", Verdict::kBadLength, data::kFrame203, sizeof data::kFrame203, 32, 16909092U, 464367618U, data::kPayload203, sizeof data::kPayload203, 0, nullptr, data::decode_as<wire::StepChunkRequest>},
-    {"step_chunk_request_bad_first", Verdict::kOutOfRange, data::kFrame204, sizeof data::kFrame204, 32, 16909092U, 464367618U, data::kPayload204, sizeof data::kPayload204, 0, nullptr, data::decode_as<wire::StepChunkRequest>},
-    {"step_chunk_request_bad_steps", Verdict::kOutOfRange, data::kFrame205, sizeof data::kFrame205, 32, 16909092U, 464367618U, data::kPayload205, sizeof data::kPayload205, 1, nullptr, data::decode_as<wire::StepChunkRequest>},
-    {"step_chunk_request_bad_steps1", Verdict::kOutOfRange, data::kFrame206, sizeof data::kFrame206, 32, 16909092U, 464367618U, data::kPayload206, sizeof data::kPayload206, 1, nullptr, data::decode_as<wire::StepChunkRequest>},
-    {"step_chunk_request_bad_steps2", Verdict::kOutOfRange, data::kFrame207, sizeof data::kFrame207, 32, 16909092U, 464367618U, data::kPayload207, sizeof data::kPayload207, 1, nullptr, data::decode_as<wire::StepChunkRequest>},
-    {"step_chunk_request_bad_steps3", Verdict::kOutOfRange, data::kFrame208, sizeof data::kFrame208, 32, 16909092U, 464367618U, data::kPayload208, sizeof data::kPayload208, 1, nullptr, data::decode_as<wire::StepChunkRequest>},
-    {"step_chunk_request_bad_steps4", Verdict::kOutOfRange, data::kFrame209, sizeof data::kFrame209, 32, 16909092U, 464367618U, data::kPayload209, sizeof data::kPayload209, 1, nullptr, data::decode_as<wire::StepChunkRequest>},
-    {"step_chunk_request_bad_steps5", Verdict::kOutOfRange, data::kFrame210, sizeof data::kFrame210, 32, 16909092U, 464367618U, data::kPayload210, sizeof data::kPayload210, 1, nullptr, data::decode_as<wire::StepChunkRequest>},
-    {"step_chunk_reply_too_long", Verdict::kBadLength, data::kFrame211, sizeof data::kFrame211, 160, 16909220U, 464367618U, data::kPayload211, sizeof data::kPayload211, 0, nullptr, data::decode_as<wire::StepChunkReply>},
-    {"step_chunk_reply_too_short", Verdict::kBadLength, data::kFrame212, sizeof data::kFrame212, 160, 16909220U, 464367618U, data::kPayload212, sizeof data::kPayload212, 0, nullptr, data::decode_as<wire::StepChunkReply>},
-    {"step_chunk_reply_bad_first", Verdict::kOutOfRange, data::kFrame213, sizeof data::kFrame213, 160, 16909220U, 464367618U, data::kPayload213, sizeof data::kPayload213, 0, nullptr, data::decode_as<wire::StepChunkReply>},
-    {"step_chunk_reply_bad_count", Verdict::kOutOfRange, data::kFrame214, sizeof data::kFrame214, 160, 16909220U, 464367618U, data::kPayload214, sizeof data::kPayload214, 1, nullptr, data::decode_as<wire::StepChunkReply>},
-    {"commit_steps_request_too_long", Verdict::kBadLength, data::kFrame215, sizeof data::kFrame215, 33, 16909093U, 464367618U, data::kPayload215, sizeof data::kPayload215, 0, nullptr, data::decode_as<wire::CommitStepsRequest>},
-    {"commit_steps_request_too_short", Verdict::kBadLength, data::kFrame216, sizeof data::kFrame216, 33, 16909093U, 464367618U, data::kPayload216, sizeof data::kPayload216, 0, nullptr, data::decode_as<wire::CommitStepsRequest>},
-    {"commit_steps_request_bad_count", Verdict::kOutOfRange, data::kFrame217, sizeof data::kFrame217, 33, 16909093U, 464367618U, data::kPayload217, sizeof data::kPayload217, 0, nullptr, data::decode_as<wire::CommitStepsRequest>},
-    {"commit_steps_request_bad_count1", Verdict::kOutOfRange, data::kFrame218, sizeof data::kFrame218, 33, 16909093U, 464367618U, data::kPayload218, sizeof data::kPayload218, 0, nullptr, data::decode_as<wire::CommitStepsRequest>},
-    {"commit_steps_reply_too_long", Verdict::kBadLength, data::kFrame219, sizeof data::kFrame219, 161, 16909221U, 464367618U, data::kPayload219, sizeof data::kPayload219, 0, nullptr, data::decode_as<wire::CommitStepsReply>},
-    {"commit_steps_reply_too_short", Verdict::kBadLength, data::kFrame220, sizeof data::kFrame220, 161, 16909221U, 464367618U, data::kPayload220, sizeof data::kPayload220, 0, nullptr, data::decode_as<wire::CommitStepsReply>},
-    {"commit_steps_reply_bad_count", Verdict::kOutOfRange, data::kFrame221, sizeof data::kFrame221, 161, 16909221U, 464367618U, data::kPayload221, sizeof data::kPayload221, 0, nullptr, data::decode_as<wire::CommitStepsReply>},
-    {"commit_steps_reply_bad_count1", Verdict::kOutOfRange, data::kFrame222, sizeof data::kFrame222, 161, 16909221U, 464367618U, data::kPayload222, sizeof data::kPayload222, 0, nullptr, data::decode_as<wire::CommitStepsReply>},
-    {"start_request_too_long", Verdict::kBadLength, data::kFrame223, sizeof data::kFrame223, 34, 16909094U, 464367618U, data::kPayload223, sizeof data::kPayload223, 0, nullptr, data::decode_as<wire::StartRequest>},
-    {"start_request_too_short", Verdict::kBadLength, data::kFrame224, sizeof data::kFrame224, 34, 16909094U, 464367618U, data::kPayload224, sizeof data::kPayload224, 0, nullptr, data::decode_as<wire::StartRequest>},
-    {"start_request_bad_run_id", Verdict::kOutOfRange, data::kFrame225, sizeof data::kFrame225, 34, 16909094U, 464367618U, data::kPayload225, sizeof data::kPayload225, 0, nullptr, data::decode_as<wire::StartRequest>},
-    {"start_request_bad_deadline_ms", Verdict::kOutOfRange, data::kFrame226, sizeof data::kFrame226, 34, 16909094U, 464367618U, data::kPayload226, sizeof data::kPayload226, 2, nullptr, data::decode_as<wire::StartRequest>},
-    {"start_request_bad_light_lead_us", Verdict::kOutOfRange, data::kFrame227, sizeof data::kFrame227, 34, 16909094U, 464367618U, data::kPayload227, sizeof data::kPayload227, 3, nullptr, data::decode_as<wire::StartRequest>},
-    {"start_request_bad_trigger_us", Verdict::kOutOfRange, data::kFrame228, sizeof data::kFrame228, 34, 16909094U, 464367618U, data::kPayload228, sizeof data::kPayload228, 4, nullptr, data::decode_as<wire::StartRequest>},
-    {"start_request_bad_trigger_us1", Verdict::kOutOfRange, data::kFrame229, sizeof data::kFrame229, 34, 16909094U, 464367618U, data::kPayload229, sizeof data::kPayload229, 4, nullptr, data::decode_as<wire::StartRequest>},
-    {"start_request_bad_gap_us", Verdict::kOutOfRange, data::kFrame230, sizeof data::kFrame230, 34, 16909094U, 464367618U, data::kPayload230, sizeof data::kPayload230, 5, nullptr, data::decode_as<wire::StartRequest>},
-    {"start_request_bad_require_strobe", Verdict::kOutOfRange, data::kFrame231, sizeof data::kFrame231, 34, 16909094U, 464367618U, data::kPayload231, sizeof data::kPayload231, 7, nullptr, data::decode_as<wire::StartRequest>},
-    {"start_reply_too_long", Verdict::kBadLength, data::kFrame232, sizeof data::kFrame232, 162, 16909222U, 464367618U, data::kPayload232, sizeof data::kPayload232, 0, nullptr, data::decode_as<wire::StartReply>},
-    {"start_reply_too_short", Verdict::kBadLength, data::kFrame233, sizeof data::kFrame233, 162, 16909222U, 464367618U, data::kPayload233, sizeof data::kPayload233, 0, nullptr, data::decode_as<wire::StartReply>},
-    {"start_reply_bad_run_id", Verdict::kOutOfRange, data::kFrame234, sizeof data::kFrame234, 162, 16909222U, 464367618U, data::kPayload234, sizeof data::kPayload234, 0, nullptr, data::decode_as<wire::StartReply>},
-    {"pause_request_too_long", Verdict::kBadLength, data::kFrame235, sizeof data::kFrame235, 35, 16909095U, 464367618U, data::kPayload235, sizeof data::kPayload235, 0, nullptr, data::decode_as<wire::PauseRequest>},
-    {"pause_request_too_short", Verdict::kBadLength, data::kFrame236, sizeof data::kFrame236, 35, 16909095U, 464367618U, data::kPayload236, sizeof data::kPayload236, 0, nullptr, data::decode_as<wire::PauseRequest>},
-    {"pause_request_bad_run_id", Verdict::kOutOfRange, data::kFrame237, sizeof data::kFrame237, 35, 16909095U, 464367618U, data::kPayload237, sizeof data::kPayload237, 0, nullptr, data::decode_as<wire::PauseRequest>},
-    {"pause_reply_too_long", Verdict::kBadLength, data::kFrame238, sizeof data::kFrame238, 163, 16909223U, 464367618U, data::kPayload238, sizeof data::kPayload238, 0, nullptr, data::decode_as<wire::PauseReply>},
-    {"pause_reply_too_short", Verdict::kBadLength, data::kFrame239, sizeof data::kFrame239, 163, 16909223U, 464367618U, data::kPayload239, sizeof data::kPayload239, 0, nullptr, data::decode_as<wire::PauseReply>},
-    {"pause_reply_bad_sequence", Verdict::kOutOfRange, data::kFrame240, sizeof data::kFrame240, 163, 16909223U, 464367618U, data::kPayload240, sizeof data::kPayload240, 0, nullptr, data::decode_as<wire::PauseReply>},
-    {"resume_request_too_long", Verdict::kBadLength, data::kFrame241, sizeof data::kFrame241, 36, 16909096U, 464367618U, data::kPayload241, sizeof data::kPayload241, 0, nullptr, data::decode_as<wire::ResumeRequest>},
-    {"resume_request_too_short", Verdict::kBadLength, data::kFrame242, sizeof data::kFrame242, 36, 16909096U, 464367618U, data::kPayload242, sizeof data::kPayload242, 0, nullptr, data::decode_as<wire::ResumeRequest>},
-    {"resume_request_bad_run_id", Verdict::kOutOfRange, data::kFrame243, sizeof data::kFrame243, 36, 16909096U, 464367618U, data::kPayload243, sizeof data::kPayload243, 0, nullptr, data::decode_as<wire::ResumeRequest>},
-    {"resume_reply_too_long", Verdict::kBadLength, data::kFrame244, sizeof data::kFrame244, 164, 16909224U, 464367618U, data::kPayload244, sizeof data::kPayload244, 0, nullptr, data::decode_as<wire::ResumeReply>},
-    {"resume_reply_too_short", Verdict::kBadLength, data::kFrame245, sizeof data::kFrame245, 164, 16909224U, 464367618U, data::kPayload245, sizeof data::kPayload245, 0, nullptr, data::decode_as<wire::ResumeReply>},
-    {"resume_reply_bad_sequence", Verdict::kOutOfRange, data::kFrame246, sizeof data::kFrame246, 164, 16909224U, 464367618U, data::kPayload246, sizeof data::kPayload246, 0, nullptr, data::decode_as<wire::ResumeReply>},
-    {"abort_request_too_long", Verdict::kBadLength, data::kFrame247, sizeof data::kFrame247, 37, 16909097U, 464367618U, data::kPayload247, sizeof data::kPayload247, 0, nullptr, data::decode_as<wire::AbortRequest>},
-    {"abort_request_too_short", Verdict::kBadLength, data::kFrame248, sizeof data::kFrame248, 37, 16909097U, 464367618U, data::kPayload248, sizeof data::kPayload248, 0, nullptr, data::decode_as<wire::AbortRequest>},
-    {"abort_reply_too_long", Verdict::kBadLength, data::kFrame249, sizeof data::kFrame249, 165, 16909225U, 464367618U, data::kPayload249, sizeof data::kPayload249, 0, nullptr, data::decode_as<wire::AbortReply>},
-    {"abort_reply_too_short", Verdict::kBadLength, data::kFrame250, sizeof data::kFrame250, 165, 16909225U, 464367618U, data::kPayload250, sizeof data::kPayload250, 0, nullptr, data::decode_as<wire::AbortReply>},
-    {"abort_reply_bad_sequence", Verdict::kOutOfRange, data::kFrame251, sizeof data::kFrame251, 165, 16909225U, 464367618U, data::kPayload251, sizeof data::kPayload251, 0, nullptr, data::decode_as<wire::AbortReply>},
-    {"clear_fault_request_too_long", Verdict::kBadLength, data::kFrame252, sizeof data::kFrame252, 38, 16909098U, 464367618U, data::kPayload252, sizeof data::kPayload252, 0, nullptr, data::decode_as<wire::ClearFaultRequest>},
-    {"clear_fault_request_too_short", Verdict::kBadLength, data::kFrame253, sizeof data::kFrame253, 38, 16909098U, 464367618U, nullptr, 0, 0, nullptr, data::decode_as<wire::ClearFaultRequest>},
-    {"clear_fault_request_bad_reason", Verdict::kOutOfRange, data::kFrame254, sizeof data::kFrame254, 38, 16909098U, 464367618U, data::kPayload254, sizeof data::kPayload254, 0, nullptr, data::decode_as<wire::ClearFaultRequest>},
-    {"clear_fault_reply_too_long", Verdict::kBadLength, data::kFrame255, sizeof data::kFrame255, 166, 16909226U, 464367618U, data::kPayload255, sizeof data::kPayload255, 0, nullptr, data::decode_as<wire::ClearFaultReply>},
-    {"clear_fault_reply_too_short", Verdict::kBadLength, data::kFrame256, sizeof data::kFrame256, 166, 16909226U, 464367618U, nullptr, 0, 0, nullptr, data::decode_as<wire::ClearFaultReply>},
-    {"clear_fault_reply_bad_fault", Verdict::kOutOfRange, data::kFrame257, sizeof data::kFrame257, 166, 16909226U, 464367618U, data::kPayload257, sizeof data::kPayload257, 0, nullptr, data::decode_as<wire::ClearFaultReply>},
-    {"acknowledge_events_request_too_long", Verdict::kBadLength, data::kFrame258, sizeof data::kFrame258, 39, 16909099U, 464367618U, data::kPayload258, sizeof data::kPayload258, 0, nullptr, data::decode_as<wire::AcknowledgeEventsRequest>},
-    {"acknowledge_events_request_too_short", Verdict::kBadLength, data::kFrame259, sizeof data::kFrame259, 39, 16909099U, 464367618U, data::kPayload259, sizeof data::kPayload259, 0, nullptr, data::decode_as<wire::AcknowledgeEventsRequest>},
-    {"acknowledge_events_request_bad_resend", Verdict::kOutOfRange, data::kFrame260, sizeof data::kFrame260, 39, 16909099U, 464367618U, data::kPayload260, sizeof data::kPayload260, 1, nullptr, data::decode_as<wire::AcknowledgeEventsRequest>},
-    {"acknowledge_events_reply_too_long", Verdict::kBadLength, data::kFrame261, sizeof data::kFrame261, 167, 16909227U, 464367618U, data::kPayload261, sizeof data::kPayload261, 0, nullptr, data::decode_as<wire::AcknowledgeEventsReply>},
-    {"acknowledge_events_reply_too_short", Verdict::kBadLength, data::kFrame262, sizeof data::kFrame262, 167, 16909227U, 464367618U, data::kPayload262, sizeof data::kPayload262, 0, nullptr, data::decode_as<wire::AcknowledgeEventsReply>},
-    {"counters_request_too_long", Verdict::kBadLength, data::kFrame263, sizeof data::kFrame263, 48, 16909108U, 464367618U, data::kPayload263, sizeof data::kPayload263, 0, nullptr, data::decode_as<wire::CountersRequest>},
-    {"counters_reply_too_long", Verdict::kBadLength, data::kFrame264, sizeof data::kFrame264, 176, 16909236U, 464367618U, data::kPayload264, sizeof data::kPayload264, 0, nullptr, data::decode_as<wire::CountersReply>},
-    {"counters_reply_too_short", Verdict::kBadLength, data::kFrame265, sizeof data::kFrame265, 176, 16909236U, 464367618U, data::kPayload265, sizeof data::kPayload265, 0, nullptr, data::decode_as<wire::CountersReply>},
-    {"get_settings_request_too_long", Verdict::kBadLength, data::kFrame266, sizeof data::kFrame266, 49, 16909109U, 464367618U, data::kPayload266, sizeof data::kPayload266, 0, nullptr, data::decode_as<wire::GetSettingsRequest>},
-    {"get_settings_reply_too_long", Verdict::kBadLength, data::kFrame267, sizeof data::kFrame267, 177, 16909237U, 464367618U, data::kPayload267, sizeof data::kPayload267, 0, nullptr, data::decode_as<wire::GetSettingsReply>},
-    {"get_settings_reply_too_short", Verdict::kBadLength, data::kFrame268, sizeof data::kFrame268, 177, 16909237U, 464367618U, data::kPayload268, sizeof data::kPayload268, 0, nullptr, data::decode_as<wire::GetSettingsReply>},
-    {"get_settings_reply_bad_serial_number", Verdict::kOutOfRange, data::kFrame269, sizeof data::kFrame269, 177, 16909237U, 464367618U, data::kPayload269, sizeof data::kPayload269, 0, nullptr, data::decode_as<wire::GetSettingsReply>},
-    {"get_settings_reply_bad_serial_number1", Verdict::kOutOfRange, data::kFrame270, sizeof data::kFrame270, 177, 16909237U, 464367618U, data::kPayload270, sizeof data::kPayload270, 0, nullptr, data::decode_as<wire::GetSettingsReply>},
-    {"get_settings_reply_bad_glass_variant", Verdict::kOutOfRange, data::kFrame271, sizeof data::kFrame271, 177, 16909237U, 464367618U, data::kPayload271, sizeof data::kPayload271, 1, nullptr, data::decode_as<wire::GetSettingsReply>},
-    {"get_settings_reply_bad_mounting", Verdict::kOutOfRange, data::kFrame272, sizeof data::kFrame272, 177, 16909237U, 464367618U, data::kPayload272, sizeof data::kPayload272, 2, nullptr, data::decode_as<wire::GetSettingsReply>},
-    {"get_settings_reply_bad_contrast", Verdict::kOutOfRange, data::kFrame273, sizeof data::kFrame273, 177, 16909237U, 464367618U, data::kPayload273, sizeof data::kPayload273, 3, nullptr, data::decode_as<wire::GetSettingsReply>},
-    {"get_settings_reply_bad_resistor_ratio", Verdict::kOutOfRange, data::kFrame274, sizeof data::kFrame274, 177, 16909237U, 464367618U, data::kPayload274, sizeof data::kPayload274, 4, nullptr, data::decode_as<wire::GetSettingsReply>},
-    {"set_settings_request_too_long", Verdict::kBadLength, data::kFrame275, sizeof data::kFrame275, 50, 16909110U, 464367618U, data::kPayload275, sizeof data::kPayload275, 0, nullptr, data::decode_as<wire::SetSettingsRequest>},
-    {"set_settings_request_too_short", Verdict::kBadLength, data::kFrame276, sizeof data::kFrame276, 50, 16909110U, 464367618U, data::kPayload276, sizeof data::kPayload276, 0, nullptr, data::decode_as<wire::SetSettingsRequest>},
-    {"set_settings_request_bad_serial_number", Verdict::kOutOfRange, data::kFrame277, sizeof data::kFrame277, 50, 16909110U, 464367618U, data::kPayload277, sizeof data::kPayload277, 0, nullptr, data::decode_as<wire::SetSettingsRequest>},
-    {"set_settings_request_bad_serial_number1", Verdict::kOutOfRange, data::kFrame278, sizeof data::kFrame278, 50, 16909110U, 464367618U, data::kPayload278, sizeof data::kPayload278, 0, nullptr, data::decode_as<wire::SetSettingsRequest>},
-    {"set_settings_request_bad_glass_variant", Verdict::kOutOfRange, data::kFrame279, sizeof data::kFrame279, 50, 16909110U, 464367618U, data::kPayload279, sizeof data::kPayload279, 1, nullptr, data::decode_as<wire::SetSettingsRequest>},
-    {"set_settings_request_bad_mounting", Verdict::kOutOfRange, data::kFrame280, sizeof data::kFrame280, 50, 16909110U, 464367618U, data::kPayload280, sizeof data::kPayload280, 2, nullptr, data::decode_as<wire::SetSettingsRequest>},
-    {"set_settings_request_bad_contrast", Verdict::kOutOfRange, data::kFrame281, sizeof data::kFrame281, 50, 16909110U, 464367618U, data::kPayload281, sizeof data::kPayload281, 3, nullptr, data::decode_as<wire::SetSettingsRequest>},
-    {"set_settings_request_bad_resistor_ratio", Verdict::kOutOfRange, data::kFrame282, sizeof data::kFrame282, 50, 16909110U, 464367618U, data::kPayload282, sizeof data::kPayload282, 4, nullptr, data::decode_as<wire::SetSettingsRequest>},
-    {"set_settings_reply_too_long", Verdict::kBadLength, data::kFrame283, sizeof data::kFrame283, 178, 16909238U, 464367618U, data::kPayload283, sizeof data::kPayload283, 0, nullptr, data::decode_as<wire::SetSettingsReply>},
-    {"set_settings_reply_too_short", Verdict::kBadLength, data::kFrame284, sizeof data::kFrame284, 178, 16909238U, 464367618U, data::kPayload284, sizeof data::kPayload284, 0, nullptr, data::decode_as<wire::SetSettingsReply>},
-    {"set_settings_reply_bad_serial_number", Verdict::kOutOfRange, data::kFrame285, sizeof data::kFrame285, 178, 16909238U, 464367618U, data::kPayload285, sizeof data::kPayload285, 0, nullptr, data::decode_as<wire::SetSettingsReply>},
-    {"set_settings_reply_bad_serial_number1", Verdict::kOutOfRange, data::kFrame286, sizeof data::kFrame286, 178, 16909238U, 464367618U, data::kPayload286, sizeof data::kPayload286, 0, nullptr, data::decode_as<wire::SetSettingsReply>},
-    {"set_settings_reply_bad_glass_variant", Verdict::kOutOfRange, data::kFrame287, sizeof data::kFrame287, 178, 16909238U, 464367618U, data::kPayload287, sizeof data::kPayload287, 1, nullptr, data::decode_as<wire::SetSettingsReply>},
-    {"set_settings_reply_bad_mounting", Verdict::kOutOfRange, data::kFrame288, sizeof data::kFrame288, 178, 16909238U, 464367618U, data::kPayload288, sizeof data::kPayload288, 2, nullptr, data::decode_as<wire::SetSettingsReply>},
-    {"set_settings_reply_bad_contrast", Verdict::kOutOfRange, data::kFrame289, sizeof data::kFrame289, 178, 16909238U, 464367618U, data::kPayload289, sizeof data::kPayload289, 3, nullptr, data::decode_as<wire::SetSettingsReply>},
-    {"set_settings_reply_bad_resistor_ratio", Verdict::kOutOfRange, data::kFrame290, sizeof data::kFrame290, 178, 16909238U, 464367618U, data::kPayload290, sizeof data::kPayload290, 4, nullptr, data::decode_as<wire::SetSettingsReply>},
-    {"rejected_too_long", Verdict::kBadLength, data::kFrame291, sizeof data::kFrame291, 254, 16909314U, 464367618U, data::kPayload291, sizeof data::kPayload291, 0, nullptr, data::decode_as<wire::Rejected>},
-    {"rejected_too_short", Verdict::kBadLength, data::kFrame292, sizeof data::kFrame292, 254, 16909314U, 464367618U, data::kPayload292, sizeof data::kPayload292, 0, nullptr, data::decode_as<wire::Rejected>},
-    {"rejected_bad_code", Verdict::kOutOfRange, data::kFrame293, sizeof data::kFrame293, 254, 16909314U, 464367618U, data::kPayload293, sizeof data::kPayload293, 0, nullptr, data::decode_as<wire::Rejected>},
-    {"failed_too_long", Verdict::kBadLength, data::kFrame294, sizeof data::kFrame294, 255, 16909315U, 464367618U, data::kPayload294, sizeof data::kPayload294, 0, nullptr, data::decode_as<wire::Failed>},
-    {"failed_too_short", Verdict::kBadLength, data::kFrame295, sizeof data::kFrame295, 255, 16909315U, 464367618U, data::kPayload295, sizeof data::kPayload295, 0, nullptr, data::decode_as<wire::Failed>},
-    {"failed_bad_code", Verdict::kOutOfRange, data::kFrame296, sizeof data::kFrame296, 255, 16909315U, 464367618U, data::kPayload296, sizeof data::kPayload296, 0, nullptr, data::decode_as<wire::Failed>},
-    {"booted_event_too_long", Verdict::kBadLength, data::kFrame297, sizeof data::kFrame297, 64, 16909124U, 464367618U, data::kPayload297, sizeof data::kPayload297, 0, nullptr, data::decode_as<wire::BootedEvent>},
-    {"booted_event_too_short", Verdict::kBadLength, data::kFrame298, sizeof data::kFrame298, 64, 16909124U, 464367618U, nullptr, 0, 0, nullptr, data::decode_as<wire::BootedEvent>},
-    {"booted_event_bad_reset_cause", Verdict::kOutOfRange, data::kFrame299, sizeof data::kFrame299, 64, 16909124U, 464367618U, data::kPayload299, sizeof data::kPayload299, 0, nullptr, data::decode_as<wire::BootedEvent>},
-    {"exposure_event_too_long", Verdict::kBadLength, data::kFrame300, sizeof data::kFrame300, 65, 16909125U, 464367618U, data::kPayload300, sizeof data::kPayload300, 0, nullptr, data::decode_as<wire::ExposureEvent>},
-    {"exposure_event_too_short", Verdict::kBadLength, data::kFrame301, sizeof data::kFrame301, 65, 16909125U, 464367618U, data::kPayload301, sizeof data::kPayload301, 0, nullptr, data::decode_as<wire::ExposureEvent>},
-    {"exposure_event_bad_step", Verdict::kOutOfRange, data::kFrame302, sizeof data::kFrame302, 65, 16909125U, 464367618U, data::kPayload302, sizeof data::kPayload302, 3, nullptr, data::decode_as<wire::ExposureEvent>},
-    {"exposure_event_bad_aperture", Verdict::kOutOfRange, data::kFrame303, sizeof data::kFrame303, 65, 16909125U, 464367618U, data::kPayload303, sizeof data::kPayload303, 5, nullptr, data::decode_as<wire::ExposureEvent>},
-    {"exposure_event_bad_light", Verdict::kOutOfRange, data::kFrame304, sizeof data::kFrame304, 65, 16909125U, 464367618U, data::kPayload304, sizeof data::kPayload304, 6, nullptr, data::decode_as<wire::ExposureEvent>},
-    {"sequence_event_too_long", Verdict::kBadLength, data::kFrame305, sizeof data::kFrame305, 66, 16909126U, 464367618U, data::kPayload305, sizeof data::kPayload305, 0, nullptr, data::decode_as<wire::SequenceEvent>},
-    {"sequence_event_too_short", Verdict::kBadLength, data::kFrame306, sizeof data::kFrame306, 66, 16909126U, 464367618U, data::kPayload306, sizeof data::kPayload306, 0, nullptr, data::decode_as<wire::SequenceEvent>},
-    {"sequence_event_bad_news", Verdict::kOutOfRange, data::kFrame307, sizeof data::kFrame307, 66, 16909126U, 464367618U, data::kPayload307, sizeof data::kPayload307, 0, nullptr, data::decode_as<wire::SequenceEvent>},
-    {"fault_event_too_long", Verdict::kBadLength, data::kFrame308, sizeof data::kFrame308, 67, 16909127U, 464367618U, data::kPayload308, sizeof data::kPayload308, 0, nullptr, data::decode_as<wire::FaultEvent>},
-    {"fault_event_too_short", Verdict::kBadLength, data::kFrame309, sizeof data::kFrame309, 67, 16909127U, 464367618U, data::kPayload309, sizeof data::kPayload309, 0, nullptr, data::decode_as<wire::FaultEvent>},
-    {"fault_event_bad_reason", Verdict::kOutOfRange, data::kFrame310, sizeof data::kFrame310, 67, 16909127U, 464367618U, data::kPayload310, sizeof data::kPayload310, 0, nullptr, data::decode_as<wire::FaultEvent>},
-    {"empty", Verdict::kEmpty, data::kFrame311, sizeof data::kFrame311, 0, 0U, 0U, nullptr, 0, 0, nullptr, nullptr},
-    {"crc_flipped", Verdict::kCrc, data::kFrame312, sizeof data::kFrame312, 0, 0U, 0U, nullptr, 0, 0, nullptr, nullptr},
-    {"payload_flipped", Verdict::kCrc, data::kFrame313, sizeof data::kFrame313, 0, 0U, 0U, nullptr, 0, 0, nullptr, nullptr},
-    {"truncated", Verdict::kCrc, data::kFrame314, sizeof data::kFrame314, 0, 0U, 0U, nullptr, 0, 0, nullptr, nullptr},
-    {"truncated_to_less_than_a_frame", Verdict::kFraming, data::kFrame315, sizeof data::kFrame315, 0, 0U, 0U, nullptr, 0, 0, nullptr, nullptr},
-    {"too_short", Verdict::kFraming, data::kFrame316, sizeof data::kFrame316, 0, 0U, 0U, nullptr, 0, 0, nullptr, nullptr},
-    {"one_byte", Verdict::kFraming, data::kFrame317, sizeof data::kFrame317, 0, 0U, 0U, nullptr, 0, 0, nullptr, nullptr},
-    {"length_above", Verdict::kFraming, data::kFrame318, sizeof data::kFrame318, 0, 0U, 0U, nullptr, 0, 0, nullptr, nullptr},
-    {"length_below", Verdict::kFraming, data::kFrame319, sizeof data::kFrame319, 0, 0U, 0U, nullptr, 0, 0, nullptr, nullptr},
-    {"cobs_beyond_end", Verdict::kFraming, data::kFrame320, sizeof data::kFrame320, 0, 0U, 0U, nullptr, 0, 0, nullptr, nullptr},
-    {"overrun", Verdict::kOverrun, data::kFrame321, sizeof data::kFrame321, 0, 0U, 0U, nullptr, 0, 0, nullptr, nullptr},
-    {"unknown_message", Verdict::kUnknownMessage, data::kFrame322, sizeof data::kFrame322, 63, 16909123U, 464367618U, data::kPayload322, sizeof data::kPayload322, 0, nullptr, nullptr},
+    {"get_led_correction_request_typical", Verdict::kOk, data::kFrame114, sizeof data::kFrame114, 51, 16909111U, 464367618U, nullptr, 0, 0, data::matches114, data::decode_as<wire::GetLedCorrectionRequest>},
+    {"get_led_correction_reply_typical", Verdict::kOk, data::kFrame115, sizeof data::kFrame115, 179, 16909239U, 464367618U, data::kPayload115, sizeof data::kPayload115, 0, data::matches115, data::decode_as<wire::GetLedCorrectionReply>},
+    {"get_led_correction_reply_least", Verdict::kOk, data::kFrame116, sizeof data::kFrame116, 179, 16909239U, 464367618U, data::kPayload116, sizeof data::kPayload116, 0, data::matches116, data::decode_as<wire::GetLedCorrectionReply>},
+    {"get_led_correction_reply_greatest", Verdict::kOk, data::kFrame117, sizeof data::kFrame117, 179, 16909239U, 464367618U, data::kPayload117, sizeof data::kPayload117, 0, data::matches117, data::decode_as<wire::GetLedCorrectionReply>},
+    {"set_led_correction_request_typical", Verdict::kOk, data::kFrame118, sizeof data::kFrame118, 52, 16909112U, 464367618U, data::kPayload118, sizeof data::kPayload118, 0, data::matches118, data::decode_as<wire::SetLedCorrectionRequest>},
+    {"set_led_correction_request_least", Verdict::kOk, data::kFrame119, sizeof data::kFrame119, 52, 16909112U, 464367618U, data::kPayload119, sizeof data::kPayload119, 0, data::matches119, data::decode_as<wire::SetLedCorrectionRequest>},
+    {"set_led_correction_request_greatest", Verdict::kOk, data::kFrame120, sizeof data::kFrame120, 52, 16909112U, 464367618U, data::kPayload120, sizeof data::kPayload120, 0, data::matches120, data::decode_as<wire::SetLedCorrectionRequest>},
+    {"set_led_correction_reply_typical", Verdict::kOk, data::kFrame121, sizeof data::kFrame121, 180, 16909240U, 464367618U, data::kPayload121, sizeof data::kPayload121, 0, data::matches121, data::decode_as<wire::SetLedCorrectionReply>},
+    {"set_led_correction_reply_least", Verdict::kOk, data::kFrame122, sizeof data::kFrame122, 180, 16909240U, 464367618U, data::kPayload122, sizeof data::kPayload122, 0, data::matches122, data::decode_as<wire::SetLedCorrectionReply>},
+    {"set_led_correction_reply_greatest", Verdict::kOk, data::kFrame123, sizeof data::kFrame123, 180, 16909240U, 464367618U, data::kPayload123, sizeof data::kPayload123, 0, data::matches123, data::decode_as<wire::SetLedCorrectionReply>},
+    {"rejected_typical", Verdict::kOk, data::kFrame124, sizeof data::kFrame124, 254, 16909314U, 464367618U, data::kPayload124, sizeof data::kPayload124, 0, data::matches124, data::decode_as<wire::Rejected>},
+    {"rejected_least", Verdict::kOk, data::kFrame125, sizeof data::kFrame125, 254, 16909314U, 464367618U, data::kPayload125, sizeof data::kPayload125, 0, data::matches125, data::decode_as<wire::Rejected>},
+    {"rejected_greatest", Verdict::kOk, data::kFrame126, sizeof data::kFrame126, 254, 16909314U, 464367618U, data::kPayload126, sizeof data::kPayload126, 0, data::matches126, data::decode_as<wire::Rejected>},
+    {"failed_typical", Verdict::kOk, data::kFrame127, sizeof data::kFrame127, 255, 16909315U, 464367618U, data::kPayload127, sizeof data::kPayload127, 0, data::matches127, data::decode_as<wire::Failed>},
+    {"failed_least", Verdict::kOk, data::kFrame128, sizeof data::kFrame128, 255, 16909315U, 464367618U, data::kPayload128, sizeof data::kPayload128, 0, data::matches128, data::decode_as<wire::Failed>},
+    {"failed_greatest", Verdict::kOk, data::kFrame129, sizeof data::kFrame129, 255, 16909315U, 464367618U, data::kPayload129, sizeof data::kPayload129, 0, data::matches129, data::decode_as<wire::Failed>},
+    {"booted_event_typical", Verdict::kOk, data::kFrame130, sizeof data::kFrame130, 64, 16909124U, 464367618U, data::kPayload130, sizeof data::kPayload130, 0, data::matches130, data::decode_as<wire::BootedEvent>},
+    {"booted_event_least", Verdict::kOk, data::kFrame131, sizeof data::kFrame131, 64, 16909124U, 464367618U, data::kPayload131, sizeof data::kPayload131, 0, data::matches131, data::decode_as<wire::BootedEvent>},
+    {"booted_event_greatest", Verdict::kOk, data::kFrame132, sizeof data::kFrame132, 64, 16909124U, 464367618U, data::kPayload132, sizeof data::kPayload132, 0, data::matches132, data::decode_as<wire::BootedEvent>},
+    {"exposure_event_typical", Verdict::kOk, data::kFrame133, sizeof data::kFrame133, 65, 16909125U, 464367618U, data::kPayload133, sizeof data::kPayload133, 0, data::matches133, data::decode_as<wire::ExposureEvent>},
+    {"exposure_event_least", Verdict::kOk, data::kFrame134, sizeof data::kFrame134, 65, 16909125U, 464367618U, data::kPayload134, sizeof data::kPayload134, 0, data::matches134, data::decode_as<wire::ExposureEvent>},
+    {"exposure_event_greatest", Verdict::kOk, data::kFrame135, sizeof data::kFrame135, 65, 16909125U, 464367618U, data::kPayload135, sizeof data::kPayload135, 0, data::matches135, data::decode_as<wire::ExposureEvent>},
+    {"sequence_event_typical", Verdict::kOk, data::kFrame136, sizeof data::kFrame136, 66, 16909126U, 464367618U, data::kPayload136, sizeof data::kPayload136, 0, data::matches136, data::decode_as<wire::SequenceEvent>},
+    {"sequence_event_least", Verdict::kOk, data::kFrame137, sizeof data::kFrame137, 66, 16909126U, 464367618U, data::kPayload137, sizeof data::kPayload137, 0, data::matches137, data::decode_as<wire::SequenceEvent>},
+    {"sequence_event_greatest", Verdict::kOk, data::kFrame138, sizeof data::kFrame138, 66, 16909126U, 464367618U, data::kPayload138, sizeof data::kPayload138, 0, data::matches138, data::decode_as<wire::SequenceEvent>},
+    {"fault_event_typical", Verdict::kOk, data::kFrame139, sizeof data::kFrame139, 67, 16909127U, 464367618U, data::kPayload139, sizeof data::kPayload139, 0, data::matches139, data::decode_as<wire::FaultEvent>},
+    {"fault_event_least", Verdict::kOk, data::kFrame140, sizeof data::kFrame140, 67, 16909127U, 464367618U, data::kPayload140, sizeof data::kPayload140, 0, data::matches140, data::decode_as<wire::FaultEvent>},
+    {"fault_event_greatest", Verdict::kOk, data::kFrame141, sizeof data::kFrame141, 67, 16909127U, 464367618U, data::kPayload141, sizeof data::kPayload141, 0, data::matches141, data::decode_as<wire::FaultEvent>},
+    {"cobs_zeros", Verdict::kOk, data::kFrame142, sizeof data::kFrame142, 17, 16909077U, 464367618U, data::kPayload142, sizeof data::kPayload142, 0, data::matches142, data::decode_as<wire::ApertureChunkRequest>},
+    {"cobs_ones", Verdict::kOk, data::kFrame143, sizeof data::kFrame143, 17, 16909077U, 464367618U, data::kPayload143, sizeof data::kPayload143, 0, data::matches143, data::decode_as<wire::ApertureChunkRequest>},
+    {"cobs_run_253", Verdict::kOk, data::kFrame144, sizeof data::kFrame144, 17, 16909077U, 464367618U, data::kPayload144, sizeof data::kPayload144, 0, data::matches144, data::decode_as<wire::ApertureChunkRequest>},
+    {"cobs_run_254", Verdict::kOk, data::kFrame145, sizeof data::kFrame145, 17, 16909077U, 464367618U, data::kPayload145, sizeof data::kPayload145, 0, data::matches145, data::decode_as<wire::ApertureChunkRequest>},
+    {"cobs_run_255", Verdict::kOk, data::kFrame146, sizeof data::kFrame146, 17, 16909077U, 464367618U, data::kPayload146, sizeof data::kPayload146, 0, data::matches146, data::decode_as<wire::ApertureChunkRequest>},
+    {"hello_request_too_long", Verdict::kBadLength, data::kFrame147, sizeof data::kFrame147, 1, 16909061U, 464367618U, data::kPayload147, sizeof data::kPayload147, 0, nullptr, data::decode_as<wire::HelloRequest>},
+    {"hello_reply_too_long", Verdict::kBadLength, data::kFrame148, sizeof data::kFrame148, 129, 16909189U, 464367618U, data::kPayload148, sizeof data::kPayload148, 0, nullptr, data::decode_as<wire::HelloReply>},
+    {"hello_reply_too_short", Verdict::kBadLength, data::kFrame149, sizeof data::kFrame149, 129, 16909189U, 464367618U, data::kPayload149, sizeof data::kPayload149, 0, nullptr, data::decode_as<wire::HelloReply>},
+    {"hello_reply_bad_firmware_version", Verdict::kOutOfRange, data::kFrame150, sizeof data::kFrame150, 129, 16909189U, 464367618U, data::kPayload150, sizeof data::kPayload150, 2, nullptr, data::decode_as<wire::HelloReply>},
+    {"hello_reply_bad_firmware_version1", Verdict::kOutOfRange, data::kFrame151, sizeof data::kFrame151, 129, 16909189U, 464367618U, data::kPayload151, sizeof data::kPayload151, 2, nullptr, data::decode_as<wire::HelloReply>},
+    {"hello_reply_bad_git_hash", Verdict::kOutOfRange, data::kFrame152, sizeof data::kFrame152, 129, 16909189U, 464367618U, data::kPayload152, sizeof data::kPayload152, 3, nullptr, data::decode_as<wire::HelloReply>},
+    {"hello_reply_bad_git_hash1", Verdict::kOutOfRange, data::kFrame153, sizeof data::kFrame153, 129, 16909189U, 464367618U, data::kPayload153, sizeof data::kPayload153, 3, nullptr, data::decode_as<wire::HelloReply>},
+    {"hello_reply_bad_board", Verdict::kOutOfRange, data::kFrame154, sizeof data::kFrame154, 129, 16909189U, 464367618U, data::kPayload154, sizeof data::kPayload154, 4, nullptr, data::decode_as<wire::HelloReply>},
+    {"hello_reply_bad_board1", Verdict::kOutOfRange, data::kFrame155, sizeof data::kFrame155, 129, 16909189U, 464367618U, data::kPayload155, sizeof data::kPayload155, 4, nullptr, data::decode_as<wire::HelloReply>},
+    {"hello_reply_bad_serial_number", Verdict::kOutOfRange, data::kFrame156, sizeof data::kFrame156, 129, 16909189U, 464367618U, data::kPayload156, sizeof data::kPayload156, 5, nullptr, data::decode_as<wire::HelloReply>},
+    {"hello_reply_bad_serial_number1", Verdict::kOutOfRange, data::kFrame157, sizeof data::kFrame157, 129, 16909189U, 464367618U, data::kPayload157, sizeof data::kPayload157, 5, nullptr, data::decode_as<wire::HelloReply>},
+    {"hello_reply_bad_reset_cause", Verdict::kOutOfRange, data::kFrame158, sizeof data::kFrame158, 129, 16909189U, 464367618U, data::kPayload158, sizeof data::kPayload158, 7, nullptr, data::decode_as<wire::HelloReply>},
+    {"hello_reply_bad_boot_nonce", Verdict::kOutOfRange, data::kFrame159, sizeof data::kFrame159, 129, 16909189U, 464367618U, data::kPayload159, sizeof data::kPayload159, 8, nullptr, data::decode_as<wire::HelloReply>},
+    {"enter_bootloader_request_too_long", Verdict::kBadLength, data::kFrame160, sizeof data::kFrame160, 2, 16909062U, 464367618U, data::kPayload160, sizeof data::kPayload160, 0, nullptr, data::decode_as<wire::EnterBootloaderRequest>},
+    {"enter_bootloader_request_too_short", Verdict::kBadLength, data::kFrame161, sizeof data::kFrame161, 2, 16909062U, 464367618U, data::kPayload161, sizeof data::kPayload161, 0, nullptr, data::decode_as<wire::EnterBootloaderRequest>},
+    {"enter_bootloader_reply_too_long", Verdict::kBadLength, data::kFrame162, sizeof data::kFrame162, 130, 16909190U, 464367618U, data::kPayload162, sizeof data::kPayload162, 0, nullptr, data::decode_as<wire::EnterBootloaderReply>},
+    {"enter_bootloader_reply_too_short", Verdict::kBadLength, data::kFrame163, sizeof data::kFrame163, 130, 16909190U, 464367618U, data::kPayload163, sizeof data::kPayload163, 0, nullptr, data::decode_as<wire::EnterBootloaderReply>},
+    {"status_request_too_long", Verdict::kBadLength, data::kFrame164, sizeof data::kFrame164, 3, 16909063U, 464367618U, data::kPayload164, sizeof data::kPayload164, 0, nullptr, data::decode_as<wire::StatusRequest>},
+    {"status_reply_too_long", Verdict::kBadLength, data::kFrame165, sizeof data::kFrame165, 131, 16909191U, 464367618U, data::kPayload165, sizeof data::kPayload165, 0, nullptr, data::decode_as<wire::StatusReply>},
+    {"status_reply_too_short", Verdict::kBadLength, data::kFrame166, sizeof data::kFrame166, 131, 16909191U, 464367618U, data::kPayload166, sizeof data::kPayload166, 0, nullptr, data::decode_as<wire::StatusReply>},
+    {"status_reply_bad_sequence", Verdict::kOutOfRange, data::kFrame167, sizeof data::kFrame167, 131, 16909191U, 464367618U, data::kPayload167, sizeof data::kPayload167, 0, nullptr, data::decode_as<wire::StatusReply>},
+    {"status_reply_bad_fault", Verdict::kOutOfRange, data::kFrame168, sizeof data::kFrame168, 131, 16909191U, 464367618U, data::kPayload168, sizeof data::kPayload168, 1, nullptr, data::decode_as<wire::StatusReply>},
+    {"status_reply_bad_aperture", Verdict::kOutOfRange, data::kFrame169, sizeof data::kFrame169, 131, 16909191U, 464367618U, data::kPayload169, sizeof data::kPayload169, 2, nullptr, data::decode_as<wire::StatusReply>},
+    {"status_reply_bad_light", Verdict::kOutOfRange, data::kFrame170, sizeof data::kFrame170, 131, 16909191U, 464367618U, data::kPayload170, sizeof data::kPayload170, 3, nullptr, data::decode_as<wire::StatusReply>},
+    {"status_reply_bad_camera_ready", Verdict::kOutOfRange, data::kFrame171, sizeof data::kFrame171, 131, 16909191U, 464367618U, data::kPayload171, sizeof data::kPayload171, 4, nullptr, data::decode_as<wire::StatusReply>},
+    {"limits_request_too_long", Verdict::kBadLength, data::kFrame172, sizeof data::kFrame172, 4, 16909064U, 464367618U, data::kPayload172, sizeof data::kPayload172, 0, nullptr, data::decode_as<wire::LimitsRequest>},
+    {"limits_reply_too_long", Verdict::kBadLength, data::kFrame173, sizeof data::kFrame173, 132, 16909192U, 464367618U, data::kPayload173, sizeof data::kPayload173, 0, nullptr, data::decode_as<wire::LimitsReply>},
+    {"limits_reply_too_short", Verdict::kBadLength, data::kFrame174, sizeof data::kFrame174, 132, 16909192U, 464367618U, data::kPayload174, sizeof data::kPayload174, 0, nullptr, data::decode_as<wire::LimitsReply>},
+    {"limits_reply_bad_led_level_step", Verdict::kOutOfRange, data::kFrame175, sizeof data::kFrame175, 132, 16909192U, 464367618U, data::kPayload175, sizeof data::kPayload175, 3, nullptr, data::decode_as<wire::LimitsReply>},
+    {"limits_reply_bad_led_level_step1", Verdict::kOutOfRange, data::kFrame176, sizeof data::kFrame176, 132, 16909192U, 464367618U, data::kPayload176, sizeof data::kPayload176, 3, nullptr, data::decode_as<wire::LimitsReply>},
+    {"load_light_request_too_long", Verdict::kBadLength, data::kFrame177, sizeof data::kFrame177, 16, 16909076U, 464367618U, data::kPayload177, sizeof data::kPayload177, 0, nullptr, data::decode_as<wire::LoadLightRequest>},
+    {"load_light_request_too_short", Verdict::kBadLength, data::kFrame178, sizeof data::kFrame178, 16, 16909076U, 464367618U, data::kPayload178, sizeof data::kPayload178, 0, nullptr, data::decode_as<wire::LoadLightRequest>},
+    {"load_light_request_bad_slot", Verdict::kOutOfRange, data::kFrame179, sizeof data::kFrame179, 16, 16909076U, 464367618U, data::kPayload179, sizeof data::kPayload179, 0, nullptr, data::decode_as<wire::LoadLightRequest>},
+    {"load_light_request_bad_levels", Verdict::kOutOfRange, data::kFrame180, sizeof data::kFrame180, 16, 16909076U, 464367618U, data::kPayload180, sizeof data::kPayload180, 1, nullptr, data::decode_as<wire::LoadLightRequest>},
+    {"load_light_reply_too_long", Verdict::kBadLength, data::kFrame181, sizeof data::kFrame181, 144, 16909204U, 464367618U, data::kPayload181, sizeof data::kPayload181, 0, nullptr, data::decode_as<wire::LoadLightReply>},
+    {"load_light_reply_too_short", Verdict::kBadLength, data::kFrame182, sizeof data::kFrame182, 144, 16909204U, 464367618U, data::kPayload182, sizeof data::kPayload182, 0, nullptr, data::decode_as<wire::LoadLightReply>},
+    {"load_light_reply_bad_slot", Verdict::kOutOfRange, data::kFrame183, sizeof data::kFrame183, 144, 16909204U, 464367618U, data::kPayload183, sizeof data::kPayload183, 0, nullptr, data::decode_as<wire::LoadLightReply>},
+    {"aperture_chunk_request_too_short", Verdict::kBadLength, data::kFrame184, sizeof data::kFrame184, 17, 16909077U, 464367618U, data::kPayload184, sizeof data::kPayload184, 0, nullptr, data::decode_as<wire::ApertureChunkRequest>},
+    {"aperture_chunk_request_bad_slot", Verdict::kOutOfRange, data::kFrame185, sizeof data::kFrame185, 17, 16909077U, 464367618U, data::kPayload185, sizeof data::kPayload185, 0, nullptr, data::decode_as<wire::ApertureChunkRequest>},
+    {"aperture_chunk_request_bad_chunk", Verdict::kOutOfRange, data::kFrame186, sizeof data::kFrame186, 17, 16909077U, 464367618U, data::kPayload186, sizeof data::kPayload186, 1, nullptr, data::decode_as<wire::ApertureChunkRequest>},
+    {"aperture_chunk_reply_too_long", Verdict::kBadLength, data::kFrame187, sizeof data::kFrame187, 145, 16909205U, 464367618U, data::kPayload187, sizeof data::kPayload187, 0, nullptr, data::decode_as<wire::ApertureChunkReply>},
+    {"aperture_chunk_reply_too_short", Verdict::kBadLength, data::kFrame188, sizeof data::kFrame188, 145, 16909205U, 464367618U, data::kPayload188, sizeof data::kPayload188, 0, nullptr, data::decode_as<wire::ApertureChunkReply>},
+    {"aperture_chunk_reply_bad_slot", Verdict::kOutOfRange, data::kFrame189, sizeof data::kFrame189, 145, 16909205U, 464367618U, data::kPayload189, sizeof data::kPayload189, 0, nullptr, data::decode_as<wire::ApertureChunkReply>},
+    {"aperture_chunk_reply_bad_chunk", Verdict::kOutOfRange, data::kFrame190, sizeof data::kFrame190, 145, 16909205U, 464367618U, data::kPayload190, sizeof data::kPayload190, 1, nullptr, data::decode_as<wire::ApertureChunkReply>},
+    {"commit_aperture_request_too_long", Verdict::kBadLength, data::kFrame191, sizeof data::kFrame191, 18, 16909078U, 464367618U, data::kPayload191, sizeof data::kPayload191, 0, nullptr, data::decode_as<wire::CommitApertureRequest>},
+    {"commit_aperture_request_too_short", Verdict::kBadLength, data::kFrame192, sizeof data::kFrame192, 18, 16909078U, 464367618U, data::kPayload192, sizeof data::kPayload192, 0, nullptr, data::decode_as<wire::CommitApertureRequest>},
+    {"commit_aperture_request_bad_slot", Verdict::kOutOfRange, data::kFrame193, sizeof data::kFrame193, 18, 16909078U, 464367618U, data::kPayload193, sizeof data::kPayload193, 0, nullptr, data::decode_as<wire::CommitApertureRequest>},
+    {"commit_aperture_reply_too_long", Verdict::kBadLength, data::kFrame194, sizeof data::kFrame194, 146, 16909206U, 464367618U, data::kPayload194, sizeof data::kPayload194, 0, nullptr, data::decode_as<wire::CommitApertureReply>},
+    {"commit_aperture_reply_too_short", Verdict::kBadLength, data::kFrame195, sizeof data::kFrame195, 146, 16909206U, 464367618U, data::kPayload195, sizeof data::kPayload195, 0, nullptr, data::decode_as<wire::CommitApertureReply>},
+    {"commit_aperture_reply_bad_slot", Verdict::kOutOfRange, data::kFrame196, sizeof data::kFrame196, 146, 16909206U, 464367618U, data::kPayload196, sizeof data::kPayload196, 0, nullptr, data::decode_as<wire::CommitApertureReply>},
+    {"commit_aperture_reply_bad_open_pixels", Verdict::kOutOfRange, data::kFrame197, sizeof data::kFrame197, 146, 16909206U, 464367618U, data::kPayload197, sizeof data::kPayload197, 2, nullptr, data::decode_as<wire::CommitApertureReply>},
+    {"select_aperture_request_too_long", Verdict::kBadLength, data::kFrame198, sizeof data::kFrame198, 19, 16909079U, 464367618U, data::kPayload198, sizeof data::kPayload198, 0, nullptr, data::decode_as<wire::SelectApertureRequest>},
+    {"select_aperture_request_too_short", Verdict::kBadLength, data::kFrame199, sizeof data::kFrame199, 19, 16909079U, 464367618U, nullptr, 0, 0, nullptr, data::decode_as<wire::SelectApertureRequest>},
+    {"select_aperture_request_bad_slot", Verdict::kOutOfRange, data::kFrame200, sizeof data::kFrame200, 19, 16909079U, 464367618U, data::kPayload200, sizeof data::kPayload200, 0, nullptr, data::decode_as<wire::SelectApertureRequest>},
+    {"select_aperture_reply_too_long", Verdict::kBadLength, data::kFrame201, sizeof data::kFrame201, 147, 16909207U, 464367618U, data::kPayload201, sizeof data::kPayload201, 0, nullptr, data::decode_as<wire::SelectApertureReply>},
+    {"select_aperture_reply_too_short", Verdict::kBadLength, data::kFrame202, sizeof data::kFrame202, 147, 16909207U, 464367618U, data::kPayload202, sizeof data::kPayload202, 0, nullptr, data::decode_as<wire::SelectApertureReply>},
+    {"select_aperture_reply_bad_slot", Verdict::kOutOfRange, data::kFrame203, sizeof data::kFrame203, 147, 16909207U, 464367618U, data::kPayload203, sizeof data::kPayload203, 0, nullptr, data::decode_as<wire::SelectApertureReply>},
+    {"select_light_request_too_long", Verdict::kBadLength, data::kFrame204, sizeof data::kFrame204, 20, 16909080U, 464367618U, data::kPayload204, sizeof data::kPayload204, 0, nullptr, data::decode_as<wire::SelectLightRequest>},
+    {"select_light_request_too_short", Verdict::kBadLength, data::kFrame205, sizeof data::kFrame205, 20, 16909080U, 464367618U, nullptr, 0, 0, nullptr, data::decode_as<wire::SelectLightRequest>},
+    {"select_light_request_bad_slot", Verdict::kOutOfRange, data::kFrame206, sizeof data::kFrame206, 20, 16909080U, 464367618U, data::kPayload206, sizeof data::kPayload206, 0, nullptr, data::decode_as<wire::SelectLightRequest>},
+    {"select_light_reply_too_long", Verdict::kBadLength, data::kFrame207, sizeof data::kFrame207, 148, 16909208U, 464367618U, data::kPayload207, sizeof data::kPayload207, 0, nullptr, data::decode_as<wire::SelectLightReply>},
+    {"select_light_reply_too_short", Verdict::kBadLength, data::kFrame208, sizeof data::kFrame208, 148, 16909208U, 464367618U, data::kPayload208, sizeof data::kPayload208, 0, nullptr, data::decode_as<wire::SelectLightReply>},
+    {"select_light_reply_bad_slot", Verdict::kOutOfRange, data::kFrame209, sizeof data::kFrame209, 148, 16909208U, 464367618U, data::kPayload209, sizeof data::kPayload209, 0, nullptr, data::decode_as<wire::SelectLightReply>},
+    {"all_off_request_too_long", Verdict::kBadLength, data::kFrame210, sizeof data::kFrame210, 21, 16909081U, 464367618U, data::kPayload210, sizeof data::kPayload210, 0, nullptr, data::decode_as<wire::AllOffRequest>},
+    {"all_off_reply_too_long", Verdict::kBadLength, data::kFrame211, sizeof data::kFrame211, 149, 16909209U, 464367618U, data::kPayload211, sizeof data::kPayload211, 0, nullptr, data::decode_as<wire::AllOffReply>},
+    {"all_off_reply_too_short", Verdict::kBadLength, data::kFrame212, sizeof data::kFrame212, 149, 16909209U, 464367618U, nullptr, 0, 0, nullptr, data::decode_as<wire::AllOffReply>},
+    {"all_off_reply_bad_sequence", Verdict::kOutOfRange, data::kFrame213, sizeof data::kFrame213, 149, 16909209U, 464367618U, data::kPayload213, sizeof data::kPayload213, 0, nullptr, data::decode_as<wire::AllOffReply>},
+    {"step_chunk_request_too_long", Verdict::kBadLength, data::kFrame214, sizeof data::kFrame214, 32, 16909092U, 464367618U, data::kPayload214, sizeof data::kPayload214, 0, nullptr, data::decode_as<wire::StepChunkRequest>},
+    {"step_chunk_request_too_short", Verdict::kBadLength, data::kFrame215, sizeof data::kFrame215, 32, 16909092U, 464367618U, data::kPayload215, sizeof data::kPayload215, 0, nullptr, data::decode_as<wire::StepChunkRequest>},
+    {"step_chunk_request_bad_first", Verdict::kOutOfRange, data::kFrame216, sizeof data::kFrame216, 32, 16909092U, 464367618U, data::kPayload216, sizeof data::kPayload216, 0, nullptr, data::decode_as<wire::StepChunkRequest>},
+    {"step_chunk_request_bad_steps", Verdict::kOutOfRange, data::kFrame217, sizeof data::kFrame217, 32, 16909092U, 464367618U, data::kPayload217, sizeof data::kPayload217, 1, nullptr, data::decode_as<wire::StepChunkRequest>},
+    {"step_chunk_request_bad_steps1", Verdict::kOutOfRange, data::kFrame218, sizeof data::kFrame218, 32, 16909092U, 464367618U, data::kPayload218, sizeof data::kPayload218, 1, nullptr, data::decode_as<wire::StepChunkRequest>},
+    {"step_chunk_request_bad_steps2", Verdict::kOutOfRange, data::kFrame219, sizeof data::kFrame219, 32, 16909092U, 464367618U, data::kPayload219, sizeof data::kPayload219, 1, nullptr, data::decode_as<wire::StepChunkRequest>},
+    {"step_chunk_request_bad_steps3", Verdict::kOutOfRange, data::kFrame220, sizeof data::kFrame220, 32, 16909092U, 464367618U, data::kPayload220, sizeof data::kPayload220, 1, nullptr, data::decode_as<wire::StepChunkRequest>},
+    {"step_chunk_request_bad_steps4", Verdict::kOutOfRange, data::kFrame221, sizeof data::kFrame221, 32, 16909092U, 464367618U, data::kPayload221, sizeof data::kPayload221, 1, nullptr, data::decode_as<wire::StepChunkRequest>},
+    {"step_chunk_request_bad_steps5", Verdict::kOutOfRange, data::kFrame222, sizeof data::kFrame222, 32, 16909092U, 464367618U, data::kPayload222, sizeof data::kPayload222, 1, nullptr, data::decode_as<wire::StepChunkRequest>},
+    {"step_chunk_reply_too_long", Verdict::kBadLength, data::kFrame223, sizeof data::kFrame223, 160, 16909220U, 464367618U, data::kPayload223, sizeof data::kPayload223, 0, nullptr, data::decode_as<wire::StepChunkReply>},
+    {"step_chunk_reply_too_short", Verdict::kBadLength, data::kFrame224, sizeof data::kFrame224, 160, 16909220U, 464367618U, data::kPayload224, sizeof data::kPayload224, 0, nullptr, data::decode_as<wire::StepChunkReply>},
+    {"step_chunk_reply_bad_first", Verdict::kOutOfRange, data::kFrame225, sizeof data::kFrame225, 160, 16909220U, 464367618U, data::kPayload225, sizeof data::kPayload225, 0, nullptr, data::decode_as<wire::StepChunkReply>},
+    {"step_chunk_reply_bad_count", Verdict::kOutOfRange, data::kFrame226, sizeof data::kFrame226, 160, 16909220U, 464367618U, data::kPayload226, sizeof data::kPayload226, 1, nullptr, data::decode_as<wire::StepChunkReply>},
+    {"commit_steps_request_too_long", Verdict::kBadLength, data::kFrame227, sizeof data::kFrame227, 33, 16909093U, 464367618U, data::kPayload227, sizeof data::kPayload227, 0, nullptr, data::decode_as<wire::CommitStepsRequest>},
+    {"commit_steps_request_too_short", Verdict::kBadLength, data::kFrame228, sizeof data::kFrame228, 33, 16909093U, 464367618U, data::kPayload228, sizeof data::kPayload228, 0, nullptr, data::decode_as<wire::CommitStepsRequest>},
+    {"commit_steps_request_bad_count", Verdict::kOutOfRange, data::kFrame229, sizeof data::kFrame229, 33, 16909093U, 464367618U, data::kPayload229, sizeof data::kPayload229, 0, nullptr, data::decode_as<wire::CommitStepsRequest>},
+    {"commit_steps_request_bad_count1", Verdict::kOutOfRange, data::kFrame230, sizeof data::kFrame230, 33, 16909093U, 464367618U, data::kPayload230, sizeof data::kPayload230, 0, nullptr, data::decode_as<wire::CommitStepsRequest>},
+    {"commit_steps_reply_too_long", Verdict::kBadLength, data::kFrame231, sizeof data::kFrame231, 161, 16909221U, 464367618U, data::kPayload231, sizeof data::kPayload231, 0, nullptr, data::decode_as<wire::CommitStepsReply>},
+    {"commit_steps_reply_too_short", Verdict::kBadLength, data::kFrame232, sizeof data::kFrame232, 161, 16909221U, 464367618U, data::kPayload232, sizeof data::kPayload232, 0, nullptr, data::decode_as<wire::CommitStepsReply>},
+    {"commit_steps_reply_bad_count", Verdict::kOutOfRange, data::kFrame233, sizeof data::kFrame233, 161, 16909221U, 464367618U, data::kPayload233, sizeof data::kPayload233, 0, nullptr, data::decode_as<wire::CommitStepsReply>},
+    {"commit_steps_reply_bad_count1", Verdict::kOutOfRange, data::kFrame234, sizeof data::kFrame234, 161, 16909221U, 464367618U, data::kPayload234, sizeof data::kPayload234, 0, nullptr, data::decode_as<wire::CommitStepsReply>},
+    {"start_request_too_long", Verdict::kBadLength, data::kFrame235, sizeof data::kFrame235, 34, 16909094U, 464367618U, data::kPayload235, sizeof data::kPayload235, 0, nullptr, data::decode_as<wire::StartRequest>},
+    {"start_request_too_short", Verdict::kBadLength, data::kFrame236, sizeof data::kFrame236, 34, 16909094U, 464367618U, data::kPayload236, sizeof data::kPayload236, 0, nullptr, data::decode_as<wire::StartRequest>},
+    {"start_request_bad_run_id", Verdict::kOutOfRange, data::kFrame237, sizeof data::kFrame237, 34, 16909094U, 464367618U, data::kPayload237, sizeof data::kPayload237, 0, nullptr, data::decode_as<wire::StartRequest>},
+    {"start_request_bad_deadline_ms", Verdict::kOutOfRange, data::kFrame238, sizeof data::kFrame238, 34, 16909094U, 464367618U, data::kPayload238, sizeof data::kPayload238, 2, nullptr, data::decode_as<wire::StartRequest>},
+    {"start_request_bad_light_lead_us", Verdict::kOutOfRange, data::kFrame239, sizeof data::kFrame239, 34, 16909094U, 464367618U, data::kPayload239, sizeof data::kPayload239, 3, nullptr, data::decode_as<wire::StartRequest>},
+    {"start_request_bad_trigger_us", Verdict::kOutOfRange, data::kFrame240, sizeof data::kFrame240, 34, 16909094U, 464367618U, data::kPayload240, sizeof data::kPayload240, 4, nullptr, data::decode_as<wire::StartRequest>},
+    {"start_request_bad_trigger_us1", Verdict::kOutOfRange, data::kFrame241, sizeof data::kFrame241, 34, 16909094U, 464367618U, data::kPayload241, sizeof data::kPayload241, 4, nullptr, data::decode_as<wire::StartRequest>},
+    {"start_request_bad_gap_us", Verdict::kOutOfRange, data::kFrame242, sizeof data::kFrame242, 34, 16909094U, 464367618U, data::kPayload242, sizeof data::kPayload242, 5, nullptr, data::decode_as<wire::StartRequest>},
+    {"start_request_bad_require_strobe", Verdict::kOutOfRange, data::kFrame243, sizeof data::kFrame243, 34, 16909094U, 464367618U, data::kPayload243, sizeof data::kPayload243, 7, nullptr, data::decode_as<wire::StartRequest>},
+    {"start_reply_too_long", Verdict::kBadLength, data::kFrame244, sizeof data::kFrame244, 162, 16909222U, 464367618U, data::kPayload244, sizeof data::kPayload244, 0, nullptr, data::decode_as<wire::StartReply>},
+    {"start_reply_too_short", Verdict::kBadLength, data::kFrame245, sizeof data::kFrame245, 162, 16909222U, 464367618U, data::kPayload245, sizeof data::kPayload245, 0, nullptr, data::decode_as<wire::StartReply>},
+    {"start_reply_bad_run_id", Verdict::kOutOfRange, data::kFrame246, sizeof data::kFrame246, 162, 16909222U, 464367618U, data::kPayload246, sizeof data::kPayload246, 0, nullptr, data::decode_as<wire::StartReply>},
+    {"pause_request_too_long", Verdict::kBadLength, data::kFrame247, sizeof data::kFrame247, 35, 16909095U, 464367618U, data::kPayload247, sizeof data::kPayload247, 0, nullptr, data::decode_as<wire::PauseRequest>},
+    {"pause_request_too_short", Verdict::kBadLength, data::kFrame248, sizeof data::kFrame248, 35, 16909095U, 464367618U, data::kPayload248, sizeof data::kPayload248, 0, nullptr, data::decode_as<wire::PauseRequest>},
+    {"pause_request_bad_run_id", Verdict::kOutOfRange, data::kFrame249, sizeof data::kFrame249, 35, 16909095U, 464367618U, data::kPayload249, sizeof data::kPayload249, 0, nullptr, data::decode_as<wire::PauseRequest>},
+    {"pause_reply_too_long", Verdict::kBadLength, data::kFrame250, sizeof data::kFrame250, 163, 16909223U, 464367618U, data::kPayload250, sizeof data::kPayload250, 0, nullptr, data::decode_as<wire::PauseReply>},
+    {"pause_reply_too_short", Verdict::kBadLength, data::kFrame251, sizeof data::kFrame251, 163, 16909223U, 464367618U, data::kPayload251, sizeof data::kPayload251, 0, nullptr, data::decode_as<wire::PauseReply>},
+    {"pause_reply_bad_sequence", Verdict::kOutOfRange, data::kFrame252, sizeof data::kFrame252, 163, 16909223U, 464367618U, data::kPayload252, sizeof data::kPayload252, 0, nullptr, data::decode_as<wire::PauseReply>},
+    {"resume_request_too_long", Verdict::kBadLength, data::kFrame253, sizeof data::kFrame253, 36, 16909096U, 464367618U, data::kPayload253, sizeof data::kPayload253, 0, nullptr, data::decode_as<wire::ResumeRequest>},
+    {"resume_request_too_short", Verdict::kBadLength, data::kFrame254, sizeof data::kFrame254, 36, 16909096U, 464367618U, data::kPayload254, sizeof data::kPayload254, 0, nullptr, data::decode_as<wire::ResumeRequest>},
+    {"resume_request_bad_run_id", Verdict::kOutOfRange, data::kFrame255, sizeof data::kFrame255, 36, 16909096U, 464367618U, data::kPayload255, sizeof data::kPayload255, 0, nullptr, data::decode_as<wire::ResumeRequest>},
+    {"resume_reply_too_long", Verdict::kBadLength, data::kFrame256, sizeof data::kFrame256, 164, 16909224U, 464367618U, data::kPayload256, sizeof data::kPayload256, 0, nullptr, data::decode_as<wire::ResumeReply>},
+    {"resume_reply_too_short", Verdict::kBadLength, data::kFrame257, sizeof data::kFrame257, 164, 16909224U, 464367618U, data::kPayload257, sizeof data::kPayload257, 0, nullptr, data::decode_as<wire::ResumeReply>},
+    {"resume_reply_bad_sequence", Verdict::kOutOfRange, data::kFrame258, sizeof data::kFrame258, 164, 16909224U, 464367618U, data::kPayload258, sizeof data::kPayload258, 0, nullptr, data::decode_as<wire::ResumeReply>},
+    {"abort_request_too_long", Verdict::kBadLength, data::kFrame259, sizeof data::kFrame259, 37, 16909097U, 464367618U, data::kPayload259, sizeof data::kPayload259, 0, nullptr, data::decode_as<wire::AbortRequest>},
+    {"abort_request_too_short", Verdict::kBadLength, data::kFrame260, sizeof data::kFrame260, 37, 16909097U, 464367618U, data::kPayload260, sizeof data::kPayload260, 0, nullptr, data::decode_as<wire::AbortRequest>},
+    {"abort_reply_too_long", Verdict::kBadLength, data::kFrame261, sizeof data::kFrame261, 165, 16909225U, 464367618U, data::kPayload261, sizeof data::kPayload261, 0, nullptr, data::decode_as<wire::AbortReply>},
+    {"abort_reply_too_short", Verdict::kBadLength, data::kFrame262, sizeof data::kFrame262, 165, 16909225U, 464367618U, data::kPayload262, sizeof data::kPayload262, 0, nullptr, data::decode_as<wire::AbortReply>},
+    {"abort_reply_bad_sequence", Verdict::kOutOfRange, data::kFrame263, sizeof data::kFrame263, 165, 16909225U, 464367618U, data::kPayload263, sizeof data::kPayload263, 0, nullptr, data::decode_as<wire::AbortReply>},
+    {"clear_fault_request_too_long", Verdict::kBadLength, data::kFrame264, sizeof data::kFrame264, 38, 16909098U, 464367618U, data::kPayload264, sizeof data::kPayload264, 0, nullptr, data::decode_as<wire::ClearFaultRequest>},
+    {"clear_fault_request_too_short", Verdict::kBadLength, data::kFrame265, sizeof data::kFrame265, 38, 16909098U, 464367618U, nullptr, 0, 0, nullptr, data::decode_as<wire::ClearFaultRequest>},
+    {"clear_fault_request_bad_reason", Verdict::kOutOfRange, data::kFrame266, sizeof data::kFrame266, 38, 16909098U, 464367618U, data::kPayload266, sizeof data::kPayload266, 0, nullptr, data::decode_as<wire::ClearFaultRequest>},
+    {"clear_fault_reply_too_long", Verdict::kBadLength, data::kFrame267, sizeof data::kFrame267, 166, 16909226U, 464367618U, data::kPayload267, sizeof data::kPayload267, 0, nullptr, data::decode_as<wire::ClearFaultReply>},
+    {"clear_fault_reply_too_short", Verdict::kBadLength, data::kFrame268, sizeof data::kFrame268, 166, 16909226U, 464367618U, nullptr, 0, 0, nullptr, data::decode_as<wire::ClearFaultReply>},
+    {"clear_fault_reply_bad_fault", Verdict::kOutOfRange, data::kFrame269, sizeof data::kFrame269, 166, 16909226U, 464367618U, data::kPayload269, sizeof data::kPayload269, 0, nullptr, data::decode_as<wire::ClearFaultReply>},
+    {"acknowledge_events_request_too_long", Verdict::kBadLength, data::kFrame270, sizeof data::kFrame270, 39, 16909099U, 464367618U, data::kPayload270, sizeof data::kPayload270, 0, nullptr, data::decode_as<wire::AcknowledgeEventsRequest>},
+    {"acknowledge_events_request_too_short", Verdict::kBadLength, data::kFrame271, sizeof data::kFrame271, 39, 16909099U, 464367618U, data::kPayload271, sizeof data::kPayload271, 0, nullptr, data::decode_as<wire::AcknowledgeEventsRequest>},
+    {"acknowledge_events_request_bad_resend", Verdict::kOutOfRange, data::kFrame272, sizeof data::kFrame272, 39, 16909099U, 464367618U, data::kPayload272, sizeof data::kPayload272, 1, nullptr, data::decode_as<wire::AcknowledgeEventsRequest>},
+    {"acknowledge_events_reply_too_long", Verdict::kBadLength, data::kFrame273, sizeof data::kFrame273, 167, 16909227U, 464367618U, data::kPayload273, sizeof data::kPayload273, 0, nullptr, data::decode_as<wire::AcknowledgeEventsReply>},
+    {"acknowledge_events_reply_too_short", Verdict::kBadLength, data::kFrame274, sizeof data::kFrame274, 167, 16909227U, 464367618U, data::kPayload274, sizeof data::kPayload274, 0, nullptr, data::decode_as<wire::AcknowledgeEventsReply>},
+    {"counters_request_too_long", Verdict::kBadLength, data::kFrame275, sizeof data::kFrame275, 48, 16909108U, 464367618U, data::kPayload275, sizeof data::kPayload275, 0, nullptr, data::decode_as<wire::CountersRequest>},
+    {"counters_reply_too_long", Verdict::kBadLength, data::kFrame276, sizeof data::kFrame276, 176, 16909236U, 464367618U, data::kPayload276, sizeof data::kPayload276, 0, nullptr, data::decode_as<wire::CountersReply>},
+    {"counters_reply_too_short", Verdict::kBadLength, data::kFrame277, sizeof data::kFrame277, 176, 16909236U, 464367618U, data::kPayload277, sizeof data::kPayload277, 0, nullptr, data::decode_as<wire::CountersReply>},
+    {"get_settings_request_too_long", Verdict::kBadLength, data::kFrame278, sizeof data::kFrame278, 49, 16909109U, 464367618U, data::kPayload278, sizeof data::kPayload278, 0, nullptr, data::decode_as<wire::GetSettingsRequest>},
+    {"get_settings_reply_too_long", Verdict::kBadLength, data::kFrame279, sizeof data::kFrame279, 177, 16909237U, 464367618U, data::kPayload279, sizeof data::kPayload279, 0, nullptr, data::decode_as<wire::GetSettingsReply>},
+    {"get_settings_reply_too_short", Verdict::kBadLength, data::kFrame280, sizeof data::kFrame280, 177, 16909237U, 464367618U, data::kPayload280, sizeof data::kPayload280, 0, nullptr, data::decode_as<wire::GetSettingsReply>},
+    {"get_settings_reply_bad_serial_number", Verdict::kOutOfRange, data::kFrame281, sizeof data::kFrame281, 177, 16909237U, 464367618U, data::kPayload281, sizeof data::kPayload281, 0, nullptr, data::decode_as<wire::GetSettingsReply>},
+    {"get_settings_reply_bad_serial_number1", Verdict::kOutOfRange, data::kFrame282, sizeof data::kFrame282, 177, 16909237U, 464367618U, data::kPayload282, sizeof data::kPayload282, 0, nullptr, data::decode_as<wire::GetSettingsReply>},
+    {"get_settings_reply_bad_glass_variant", Verdict::kOutOfRange, data::kFrame283, sizeof data::kFrame283, 177, 16909237U, 464367618U, data::kPayload283, sizeof data::kPayload283, 1, nullptr, data::decode_as<wire::GetSettingsReply>},
+    {"get_settings_reply_bad_mounting", Verdict::kOutOfRange, data::kFrame284, sizeof data::kFrame284, 177, 16909237U, 464367618U, data::kPayload284, sizeof data::kPayload284, 2, nullptr, data::decode_as<wire::GetSettingsReply>},
+    {"get_settings_reply_bad_contrast", Verdict::kOutOfRange, data::kFrame285, sizeof data::kFrame285, 177, 16909237U, 464367618U, data::kPayload285, sizeof data::kPayload285, 3, nullptr, data::decode_as<wire::GetSettingsReply>},
+    {"get_settings_reply_bad_resistor_ratio", Verdict::kOutOfRange, data::kFrame286, sizeof data::kFrame286, 177, 16909237U, 464367618U, data::kPayload286, sizeof data::kPayload286, 4, nullptr, data::decode_as<wire::GetSettingsReply>},
+    {"set_settings_request_too_long", Verdict::kBadLength, data::kFrame287, sizeof data::kFrame287, 50, 16909110U, 464367618U, data::kPayload287, sizeof data::kPayload287, 0, nullptr, data::decode_as<wire::SetSettingsRequest>},
+    {"set_settings_request_too_short", Verdict::kBadLength, data::kFrame288, sizeof data::kFrame288, 50, 16909110U, 464367618U, data::kPayload288, sizeof data::kPayload288, 0, nullptr, data::decode_as<wire::SetSettingsRequest>},
+    {"set_settings_request_bad_serial_number", Verdict::kOutOfRange, data::kFrame289, sizeof data::kFrame289, 50, 16909110U, 464367618U, data::kPayload289, sizeof data::kPayload289, 0, nullptr, data::decode_as<wire::SetSettingsRequest>},
+    {"set_settings_request_bad_serial_number1", Verdict::kOutOfRange, data::kFrame290, sizeof data::kFrame290, 50, 16909110U, 464367618U, data::kPayload290, sizeof data::kPayload290, 0, nullptr, data::decode_as<wire::SetSettingsRequest>},
+    {"set_settings_request_bad_glass_variant", Verdict::kOutOfRange, data::kFrame291, sizeof data::kFrame291, 50, 16909110U, 464367618U, data::kPayload291, sizeof data::kPayload291, 1, nullptr, data::decode_as<wire::SetSettingsRequest>},
+    {"set_settings_request_bad_mounting", Verdict::kOutOfRange, data::kFrame292, sizeof data::kFrame292, 50, 16909110U, 464367618U, data::kPayload292, sizeof data::kPayload292, 2, nullptr, data::decode_as<wire::SetSettingsRequest>},
+    {"set_settings_request_bad_contrast", Verdict::kOutOfRange, data::kFrame293, sizeof data::kFrame293, 50, 16909110U, 464367618U, data::kPayload293, sizeof data::kPayload293, 3, nullptr, data::decode_as<wire::SetSettingsRequest>},
+    {"set_settings_request_bad_resistor_ratio", Verdict::kOutOfRange, data::kFrame294, sizeof data::kFrame294, 50, 16909110U, 464367618U, data::kPayload294, sizeof data::kPayload294, 4, nullptr, data::decode_as<wire::SetSettingsRequest>},
+    {"set_settings_reply_too_long", Verdict::kBadLength, data::kFrame295, sizeof data::kFrame295, 178, 16909238U, 464367618U, data::kPayload295, sizeof data::kPayload295, 0, nullptr, data::decode_as<wire::SetSettingsReply>},
+    {"set_settings_reply_too_short", Verdict::kBadLength, data::kFrame296, sizeof data::kFrame296, 178, 16909238U, 464367618U, data::kPayload296, sizeof data::kPayload296, 0, nullptr, data::decode_as<wire::SetSettingsReply>},
+    {"set_settings_reply_bad_serial_number", Verdict::kOutOfRange, data::kFrame297, sizeof data::kFrame297, 178, 16909238U, 464367618U, data::kPayload297, sizeof data::kPayload297, 0, nullptr, data::decode_as<wire::SetSettingsReply>},
+    {"set_settings_reply_bad_serial_number1", Verdict::kOutOfRange, data::kFrame298, sizeof data::kFrame298, 178, 16909238U, 464367618U, data::kPayload298, sizeof data::kPayload298, 0, nullptr, data::decode_as<wire::SetSettingsReply>},
+    {"set_settings_reply_bad_glass_variant", Verdict::kOutOfRange, data::kFrame299, sizeof data::kFrame299, 178, 16909238U, 464367618U, data::kPayload299, sizeof data::kPayload299, 1, nullptr, data::decode_as<wire::SetSettingsReply>},
+    {"set_settings_reply_bad_mounting", Verdict::kOutOfRange, data::kFrame300, sizeof data::kFrame300, 178, 16909238U, 464367618U, data::kPayload300, sizeof data::kPayload300, 2, nullptr, data::decode_as<wire::SetSettingsReply>},
+    {"set_settings_reply_bad_contrast", Verdict::kOutOfRange, data::kFrame301, sizeof data::kFrame301, 178, 16909238U, 464367618U, data::kPayload301, sizeof data::kPayload301, 3, nullptr, data::decode_as<wire::SetSettingsReply>},
+    {"set_settings_reply_bad_resistor_ratio", Verdict::kOutOfRange, data::kFrame302, sizeof data::kFrame302, 178, 16909238U, 464367618U, data::kPayload302, sizeof data::kPayload302, 4, nullptr, data::decode_as<wire::SetSettingsReply>},
+    {"get_led_correction_request_too_long", Verdict::kBadLength, data::kFrame303, sizeof data::kFrame303, 51, 16909111U, 464367618U, data::kPayload303, sizeof data::kPayload303, 0, nullptr, data::decode_as<wire::GetLedCorrectionRequest>},
+    {"get_led_correction_reply_too_long", Verdict::kBadLength, data::kFrame304, sizeof data::kFrame304, 179, 16909239U, 464367618U, data::kPayload304, sizeof data::kPayload304, 0, nullptr, data::decode_as<wire::GetLedCorrectionReply>},
+    {"get_led_correction_reply_too_short", Verdict::kBadLength, data::kFrame305, sizeof data::kFrame305, 179, 16909239U, 464367618U, data::kPayload305, sizeof data::kPayload305, 0, nullptr, data::decode_as<wire::GetLedCorrectionReply>},
+    {"set_led_correction_request_too_long", Verdict::kBadLength, data::kFrame306, sizeof data::kFrame306, 52, 16909112U, 464367618U, data::kPayload306, sizeof data::kPayload306, 0, nullptr, data::decode_as<wire::SetLedCorrectionRequest>},
+    {"set_led_correction_request_too_short", Verdict::kBadLength, data::kFrame307, sizeof data::kFrame307, 52, 16909112U, 464367618U, data::kPayload307, sizeof data::kPayload307, 0, nullptr, data::decode_as<wire::SetLedCorrectionRequest>},
+    {"set_led_correction_reply_too_long", Verdict::kBadLength, data::kFrame308, sizeof data::kFrame308, 180, 16909240U, 464367618U, data::kPayload308, sizeof data::kPayload308, 0, nullptr, data::decode_as<wire::SetLedCorrectionReply>},
+    {"set_led_correction_reply_too_short", Verdict::kBadLength, data::kFrame309, sizeof data::kFrame309, 180, 16909240U, 464367618U, data::kPayload309, sizeof data::kPayload309, 0, nullptr, data::decode_as<wire::SetLedCorrectionReply>},
+    {"rejected_too_long", Verdict::kBadLength, data::kFrame310, sizeof data::kFrame310, 254, 16909314U, 464367618U, data::kPayload310, sizeof data::kPayload310, 0, nullptr, data::decode_as<wire::Rejected>},
+    {"rejected_too_short", Verdict::kBadLength, data::kFrame311, sizeof data::kFrame311, 254, 16909314U, 464367618U, data::kPayload311, sizeof data::kPayload311, 0, nullptr, data::decode_as<wire::Rejected>},
+    {"rejected_bad_code", Verdict::kOutOfRange, data::kFrame312, sizeof data::kFrame312, 254, 16909314U, 464367618U, data::kPayload312, sizeof data::kPayload312, 0, nullptr, data::decode_as<wire::Rejected>},
+    {"failed_too_long", Verdict::kBadLength, data::kFrame313, sizeof data::kFrame313, 255, 16909315U, 464367618U, data::kPayload313, sizeof data::kPayload313, 0, nullptr, data::decode_as<wire::Failed>},
+    {"failed_too_short", Verdict::kBadLength, data::kFrame314, sizeof data::kFrame314, 255, 16909315U, 464367618U, data::kPayload314, sizeof data::kPayload314, 0, nullptr, data::decode_as<wire::Failed>},
+    {"failed_bad_code", Verdict::kOutOfRange, data::kFrame315, sizeof data::kFrame315, 255, 16909315U, 464367618U, data::kPayload315, sizeof data::kPayload315, 0, nullptr, data::decode_as<wire::Failed>},
+    {"booted_event_too_long", Verdict::kBadLength, data::kFrame316, sizeof data::kFrame316, 64, 16909124U, 464367618U, data::kPayload316, sizeof data::kPayload316, 0, nullptr, data::decode_as<wire::BootedEvent>},
+    {"booted_event_too_short", Verdict::kBadLength, data::kFrame317, sizeof data::kFrame317, 64, 16909124U, 464367618U, nullptr, 0, 0, nullptr, data::decode_as<wire::BootedEvent>},
+    {"booted_event_bad_reset_cause", Verdict::kOutOfRange, data::kFrame318, sizeof data::kFrame318, 64, 16909124U, 464367618U, data::kPayload318, sizeof data::kPayload318, 0, nullptr, data::decode_as<wire::BootedEvent>},
+    {"exposure_event_too_long", Verdict::kBadLength, data::kFrame319, sizeof data::kFrame319, 65, 16909125U, 464367618U, data::kPayload319, sizeof data::kPayload319, 0, nullptr, data::decode_as<wire::ExposureEvent>},
+    {"exposure_event_too_short", Verdict::kBadLength, data::kFrame320, sizeof data::kFrame320, 65, 16909125U, 464367618U, data::kPayload320, sizeof data::kPayload320, 0, nullptr, data::decode_as<wire::ExposureEvent>},
+    {"exposure_event_bad_step", Verdict::kOutOfRange, data::kFrame321, sizeof data::kFrame321, 65, 16909125U, 464367618U, data::kPayload321, sizeof data::kPayload321, 3, nullptr, data::decode_as<wire::ExposureEvent>},
+    {"exposure_event_bad_aperture", Verdict::kOutOfRange, data::kFrame322, sizeof data::kFrame322, 65, 16909125U, 464367618U, data::kPayload322, sizeof data::kPayload322, 5, nullptr, data::decode_as<wire::ExposureEvent>},
+    {"exposure_event_bad_light", Verdict::kOutOfRange, data::kFrame323, sizeof data::kFrame323, 65, 16909125U, 464367618U, data::kPayload323, sizeof data::kPayload323, 6, nullptr, data::decode_as<wire::ExposureEvent>},
+    {"sequence_event_too_long", Verdict::kBadLength, data::kFrame324, sizeof data::kFrame324, 66, 16909126U, 464367618U, data::kPayload324, sizeof data::kPayload324, 0, nullptr, data::decode_as<wire::SequenceEvent>},
+    {"sequence_event_too_short", Verdict::kBadLength, data::kFrame325, sizeof data::kFrame325, 66, 16909126U, 464367618U, data::kPayload325, sizeof data::kPayload325, 0, nullptr, data::decode_as<wire::SequenceEvent>},
+    {"sequence_event_bad_news", Verdict::kOutOfRange, data::kFrame326, sizeof data::kFrame326, 66, 16909126U, 464367618U, data::kPayload326, sizeof data::kPayload326, 0, nullptr, data::decode_as<wire::SequenceEvent>},
+    {"fault_event_too_long", Verdict::kBadLength, data::kFrame327, sizeof data::kFrame327, 67, 16909127U, 464367618U, data::kPayload327, sizeof data::kPayload327, 0, nullptr, data::decode_as<wire::FaultEvent>},
+    {"fault_event_too_short", Verdict::kBadLength, data::kFrame328, sizeof data::kFrame328, 67, 16909127U, 464367618U, data::kPayload328, sizeof data::kPayload328, 0, nullptr, data::decode_as<wire::FaultEvent>},
+    {"fault_event_bad_reason", Verdict::kOutOfRange, data::kFrame329, sizeof data::kFrame329, 67, 16909127U, 464367618U, data::kPayload329, sizeof data::kPayload329, 0, nullptr, data::decode_as<wire::FaultEvent>},
+    {"empty", Verdict::kEmpty, data::kFrame330, sizeof data::kFrame330, 0, 0U, 0U, nullptr, 0, 0, nullptr, nullptr},
+    {"crc_flipped", Verdict::kCrc, data::kFrame331, sizeof data::kFrame331, 0, 0U, 0U, nullptr, 0, 0, nullptr, nullptr},
+    {"payload_flipped", Verdict::kCrc, data::kFrame332, sizeof data::kFrame332, 0, 0U, 0U, nullptr, 0, 0, nullptr, nullptr},
+    {"truncated", Verdict::kCrc, data::kFrame333, sizeof data::kFrame333, 0, 0U, 0U, nullptr, 0, 0, nullptr, nullptr},
+    {"truncated_to_less_than_a_frame", Verdict::kFraming, data::kFrame334, sizeof data::kFrame334, 0, 0U, 0U, nullptr, 0, 0, nullptr, nullptr},
+    {"too_short", Verdict::kFraming, data::kFrame335, sizeof data::kFrame335, 0, 0U, 0U, nullptr, 0, 0, nullptr, nullptr},
+    {"one_byte", Verdict::kFraming, data::kFrame336, sizeof data::kFrame336, 0, 0U, 0U, nullptr, 0, 0, nullptr, nullptr},
+    {"length_above", Verdict::kFraming, data::kFrame337, sizeof data::kFrame337, 0, 0U, 0U, nullptr, 0, 0, nullptr, nullptr},
+    {"length_below", Verdict::kFraming, data::kFrame338, sizeof data::kFrame338, 0, 0U, 0U, nullptr, 0, 0, nullptr, nullptr},
+    {"cobs_beyond_end", Verdict::kFraming, data::kFrame339, sizeof data::kFrame339, 0, 0U, 0U, nullptr, 0, 0, nullptr, nullptr},
+    {"overrun", Verdict::kOverrun, data::kFrame340, sizeof data::kFrame340, 0, 0U, 0U, nullptr, 0, 0, nullptr, nullptr},
+    {"unknown_message", Verdict::kUnknownMessage, data::kFrame341, sizeof data::kFrame341, 63, 16909123U, 464367618U, data::kPayload341, sizeof data::kPayload341, 0, nullptr, nullptr},
 };
 
 inline constexpr StuffingVector kStuffing[] = {
