@@ -98,7 +98,7 @@ def mean_ncc(
     -------
     (H, W) score in [-1, 1]; NaN where fewer than half of all pairs have their windows inside the views.
     """
-    images, s = _checked(views, slopes, pixel_um, window)
+    images, s = check_views(views, slopes, pixel_um, window)
     heights = np.array([height_um], dtype=np.float64)
     matcher = Matcher(images, plan_shifts(s, heights, pixel_um), window, noise_variance, form)
     score = np.empty(images.shape[1:], dtype=np.float32)
@@ -145,9 +145,9 @@ def match_views(
         NaN in the views, shapes that do not belong together, views without a baseline, heights that are
         not increasing or move the views out of the image.
     """
-    images, s = _checked(views, slopes, pixel_um, window)
+    images, s = check_views(views, slopes, pixel_um, window)
     heights = _checked_heights(heights_um)
-    _check_baseline(s, heights, pixel_um)
+    check_baseline(s, heights, pixel_um)
     matcher = Matcher(images, plan_shifts(s, heights, pixel_um), window, noise_variance, form)
     shape = images.shape[1:]
     height_um = np.empty(shape, dtype=np.float32)
@@ -187,9 +187,9 @@ def match_image(
 
     Parameters and errors are those of :func:`match_views`; stage ``match image``, per height.
     """
-    images, s = _checked(views, slopes, pixel_um, 1)
+    images, s = check_views(views, slopes, pixel_um, 1)
     heights = _checked_heights(heights_um)
-    _check_baseline(s, heights, pixel_um)
+    check_baseline(s, heights, pixel_um)
     plan = plan_shifts(s, heights, pixel_um)
     row_first, row_stop = valid_span(plan.row_px, images.shape[1], 0)
     col_first, col_stop = valid_span(plan.col_px, images.shape[2], 0)
@@ -221,9 +221,10 @@ def match_image(
     return ImageMatch(height, float(scores[best]), scores)
 
 
-def _checked(
+def check_views(
     views: FloatImage, slopes: ArrayLike, pixel_um: float, window: int
 ) -> tuple[FloatImage, NDArray[np.float64]]:
+    """Views (K, H, W) float32 and slopes (K, 2), or :class:`InvalidInputError` if they cannot be matched."""
     images = np.asarray(views, dtype=np.float32)
     s = np.asarray(slopes, dtype=np.float64)
     if images.ndim != 3 or images.shape[0] < 2:
@@ -264,7 +265,8 @@ def _checked_heights(heights_um: ArrayLike) -> NDArray[np.float64]:
     return heights
 
 
-def _check_baseline(s: NDArray[np.float64], heights: NDArray[np.float64], pixel_um: float) -> None:
+def check_baseline(s: NDArray[np.float64], heights: NDArray[np.float64], pixel_um: float) -> None:
+    """Refuse views whose parallax over the range of heights is nothing."""
     baseline = max(float(np.linalg.norm(s - one, axis=1).max()) for one in s)
     parallax_px = baseline * float(heights[-1] - heights[0]) / pixel_um
     if not parallax_px >= LEAST_BASELINE_PX:

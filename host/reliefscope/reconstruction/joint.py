@@ -1,0 +1,281 @@
+"""Stereo matching jointly over groups of lights: the fast and more accurate method.
+
+What differs from the paper's search (:func:`~reliefscope.reconstruction.mvs.match_views`):
+
+- Lights are not averaged but kept in a few groups by azimuth, each a *channel*: shading is texture where
+  the surface has none, and a highlight of one light spoils only its own channel.
+- Channels are logarithms of intensity, so that a dark floor counts as much as a bright edge and a gain is
+  an offset, which correlation does not see.
+- Small windows are correlated, and their scores averaged over a larger one
+  (:mod:`~reliefscope.reconstruction.joint_kernels`).
+- Pixels are binned, and the candidate heights spaced by parallax on the binned grid: the apertures' blur
+  leaves nothing finer to match.  The peak is refined by a parabola.
+
+Quality keeps its meaning: greatest score minus the median over all candidate heights.  Validity at the
+borders is that of :mod:`~reliefscope.reconstruction.mvs`, except that a view counts for a small tile as a
+whole.
+"""
+
+from __future__ import annotations
+
+import math
+from dataclasses import dataclass
+
+import cv2
+import numpy as np
+from numpy.typing import ArrayLike, NDArray
+
+from reliefscope.errors import InvalidInputError
+from reliefscope.jobs import Job, ensure_job
+from reliefscope.reconstruction import tiles
+from reliefscope.reconstruction.joint_kernels import expand, score_tile_jointly, window_variance
+from reliefscope.reconstruction.matcher import LEAST_SHARE, Tile
+from reliefscope.reconstruction.mvs import MvsResult, check_baseline, check_views
+from reliefscope.reconstruction.ncc_kernels import pick_heights
+from reliefscope.reconstruction.shifts import TAPS, plan_shifts, valid_span
+from reliefscope.units import FloatImage
+
+GROUPS = 4
+"""Groups of lights matched jointly."""
+BINNING = 2
+"""Pixels per side that are averaged before matching."""
+SMALL_WINDOW = 3
+LARGE_WINDOW = 7
+"""Windows in binned pixels: correlated, and averaged over."""
+STEP_PX = 0.25
+"""Parallax, in binned pixels and against the mean view, between neighbouring candidate heights."""
+NOISE_SHARE = 0.1
+"""Variance added to each window's in the denominator, as a share of the median window variance."""
+DARK_SHARE = 0.1
+"""Intensity added before the logarithm, as a share of the median intensity."""
+QUALITY_THRESHOLD = 0.25
+"""Quality below which heights are better discarded (docs/explanation/default-method.md)."""
+LEAST_SIDE = 48
+"""Binned images are at least so wide and high; smaller ones are matched as they are."""
+
+TILE_ROWS = 48
+TILE_COLUMNS = 112
+BORDER_ROWS = 2
+JUMP_STEPS = 3.0
+"""Difference between neighbours, in steps of height, over which no height is interpolated."""
+
+
+@dataclass(frozen=True, slots=True)
+class _Channels:
+    """Binned logarithms (C, K, H', W') with repeated borders, and their window variances."""
+
+    images: FloatImage
+    variances: FloatImage
+    margin: int
+    noise_variance: float
+
+
+def light_groups(directions: NDArray[np.float64] | None, count: int) -> list[list[int]]:
+    """Lights that share a channel: at most :data:`GROUPS` groups of neighbouring azimuth.
+
+    ``directions`` (L, 3) point toward the ``count`` lights; lights of unknown direction are grouped in order.
+    """
+    if directions is None:
+        order = np.arange(count)
+    else:
+        azimuth = np.arctan2(directions[:, 1], directions[:, 0]) % (2 * math.pi)
+        order = np.argsort(np.round(azimuth, 9), kind="stable")
+    parts = np.array_split(order, min(GROUPS, count))
+    return [[int(light) for light in part] for part in parts]
+
+
+def candidate_heights(
+    slopes: NDArray[np.float64], range_um: tuple[float, float], pixel_um: float, binning: int
+) -> NDArray[np.float64]:
+    """Heights (N,) to try, one beyond either end of the range, so that the ends can be refined too."""
+    lean = float(np.linalg.norm(slopes - slopes.mean(axis=0), axis=1).max())
+    low, high = range_um
+    count = max(math.ceil((high - low) * lean / (STEP_PX * binning * pixel_um)), 2)
+    step = (high - low) / count
+    return np.asarray(low + step * np.arange(-1, count + 2), dtype=np.float64)
+
+
+def match_jointly(
+    channels: FloatImage,
+    slopes: ArrayLike,
+    range_um: tuple[float, float],
+    pixel_um: float,
+    job: Job | None = None,
+    *,
+    binning: int = BINNING,
+    small_window: int = SMALL_WINDOW,
+    large_window: int = LARGE_WINDOW,
+) -> MvsResult:
+    """Height and quality of every pixel from all views of several groups of lights.
+
+    Parameters
+    ----------
+    channels:
+        (C, K, H, W) linear images of K views under C groups of lights, or (K, H, W) of one group.
+    slopes:
+        (K, 2) slopes ``(sx, sy)``, y up.
+    range_um:
+        Lowest and highest height.
+    pixel_um:
+        Sampling distance in the focal plane.
+    job:
+        Progress (stage ``match``, per tile) and cancellation.
+    binning, small_window, large_window:
+        See :data:`BINNING`, :data:`SMALL_WINDOW`, :data:`LARGE_WINDOW`; the windows are odd.
+
+    Raises
+    ------
+    InvalidInputError
+        Pixels that are not finite, shapes that do not belong together, views without a baseline, a range
+        that is empty or moves the views out of the image.
+    """
+    stack = np.asarray(channels, dtype=np.float32)
+    stack = stack[None] if stack.ndim == 3 else stack
+    low, high = range_um
+    if not (math.isfinite(low) and math.isfinite(high) and low < high):
+        raise InvalidInputError(
+            f"The range of heights {low:g} to {high:g} um is empty.",
+            hint="Give the lowest height first, then the highest.",
+        )
+    if stack.ndim != 4 or not len(stack):
+        raise InvalidInputError(
+            f"Joint matching needs channels (groups of lights, views, H, W), not {stack.shape}.",
+            hint="Average the frames of each group of lights.",
+        )
+    for images in stack:
+        _, s = check_views(images, slopes, pixel_um, small_window)
+    shape = (stack.shape[2], stack.shape[3])
+    if min(shape) < LEAST_SIDE * binning:
+        binning = 1
+    heights = candidate_heights(s, range_um, pixel_um, binning)
+    check_baseline(s, heights, pixel_um)
+    coarse = (shape[0] // binning, shape[1] // binning)
+    plan = plan_shifts(s, heights, pixel_um * binning)
+    reach = small_window // 2 + large_window // 2
+    travel = int(max(np.abs(plan.row_whole).max(), np.abs(plan.col_whole).max()))
+    if travel + reach >= min(coarse) // 2:
+        raise InvalidInputError(
+            f"The range of heights moves a view by {travel * binning} pixels, too far for an image of "
+            f"{shape[0]} x {shape[1]}.",
+            hint="Check the range of heights, pixel_um and the slopes of the views.",
+        )
+    prepared = _prepared(stack, coarse, binning, travel + reach + TAPS, small_window)
+    height_um = np.empty(coarse, dtype=np.float32)
+    quality = np.empty(coarse, dtype=np.float32)
+    peak = np.empty(coarse, dtype=np.float32)
+    fractions = np.stack(
+        [plan.row_px - np.floor(plan.row_px), plan.col_px - np.floor(plan.col_px)], axis=-1
+    ).astype(np.float32)
+    rows = valid_span(plan.row_px, coarse[0], reach)
+    cols = valid_span(plan.col_px, coarse[1], reach)
+    least_scores = math.ceil(LEAST_SHARE * heights.size)
+
+    def work(tile: Tile) -> None:
+        curves = np.empty(
+            (heights.size, int(tile[1] - tile[0]), int(tile[3] - tile[2])), dtype=np.float32
+        )
+        used = (
+            (rows[0] <= tile[0])
+            & (tile[1] <= rows[1])
+            & (cols[0] <= tile[2])
+            & (tile[3] <= cols[1])
+        )
+        score_tile_jointly(
+            prepared.images,
+            prepared.variances,
+            prepared.margin,
+            plan.row_whole,
+            plan.col_whole,
+            plan.row_weights,
+            plan.col_weights,
+            fractions,
+            used,
+            tile,
+            small_window,
+            large_window,
+            prepared.noise_variance,
+            curves,
+        )
+        part = (slice(tile[0], tile[1]), slice(tile[2], tile[3]))
+        pick_heights(
+            curves, heights, least_scores, True, height_um[part], quality[part], peak[part]
+        )
+
+    places = _tiles(
+        coarse, (int(rows[0].max()), int(rows[1].min())), (int(cols[0].max()), int(cols[1].min()))
+    )
+    with ensure_job(job).stage("match", len(places)) as stage:
+        tiles.run_each(work, places, stage)
+    np.clip(height_um, low, high, out=height_um)
+    jump = JUMP_STEPS * float(heights[1] - heights[0])
+    return MvsResult(
+        _expanded(height_um, shape, binning, jump),
+        _expanded(quality, shape, binning, math.inf),
+        _expanded(peak, shape, binning, math.inf),
+    )
+
+
+def _prepared(
+    stack: FloatImage, coarse: tuple[int, int], binning: int, margin: int, window: int
+) -> _Channels:
+    """Binned logarithms without their means, and their window variances."""
+    count, views = stack.shape[:2]
+    padded = (count, views, coarse[0] + 2 * margin, coarse[1] + 2 * margin)
+    images = np.empty(padded, dtype=np.float32)
+    variances = np.empty(padded, dtype=np.float32)
+    medians = np.empty((count, views))
+    crop = np.s_[: coarse[0] * binning, : coarse[1] * binning]
+    level = float(np.median(stack[:, 0, ::8, ::8]))
+    floor = np.float32(DARK_SHARE * level if level > 0.0 else max(float(np.abs(stack).max()), 1e-6))
+
+    def work(place: tuple[int, int]) -> None:
+        image = stack[place][crop]
+        if binning > 1:
+            image = cv2.resize(image, coarse[::-1], interpolation=cv2.INTER_AREA)
+        logarithm = np.log(np.maximum(image, np.float32(0.0)) + floor)
+        logarithm -= logarithm.mean(dtype=np.float64).astype(np.float32)
+        images[place] = cv2.copyMakeBorder(
+            logarithm, margin, margin, margin, margin, cv2.BORDER_REPLICATE
+        )
+        window_variance(images[place], window, variances[place])
+        medians[place] = np.median(variances[place][margin:-margin:4, margin:-margin:4])
+
+    places = [(c, k) for c in range(count) for k in range(views)]
+    with Job().stage("prepare", len(places)) as stage:
+        tiles.run_each(work, places, stage)
+    return _Channels(images, variances, margin, NOISE_SHARE * float(np.median(medians)) + 1e-12)
+
+
+def _tiles(
+    shape: tuple[int, int], inner_rows: tuple[int, int], inner_cols: tuple[int, int]
+) -> list[Tile]:
+    """Tiles of the area that all views see, then small ones in the frame around it."""
+    top, bottom = inner_rows
+    left, right = inner_cols
+
+    def cut(r0: int, r1: int, c0: int, c1: int, tall: int, wide: int) -> list[Tile]:
+        if r1 <= r0 or c1 <= c0:
+            return []
+        return [
+            np.array([r0 + a, r0 + b, c0 + c, c0 + d], dtype=np.int64)
+            for a, b in tiles.spans(r1 - r0, tall)
+            for c, d in tiles.spans(c1 - c0, wide)
+        ]
+
+    return [
+        *cut(top, bottom, left, right, TILE_ROWS, TILE_COLUMNS),
+        *cut(0, top, left, right, BORDER_ROWS, TILE_COLUMNS),
+        *cut(bottom, shape[0], left, right, BORDER_ROWS, TILE_COLUMNS),
+        *cut(0, shape[0], 0, left, TILE_ROWS, BORDER_ROWS),
+        *cut(0, shape[0], right, shape[1], TILE_ROWS, BORDER_ROWS),
+    ]
+
+
+def _expanded(coarse: FloatImage, shape: tuple[int, int], binning: int, jump: float) -> FloatImage:
+    if binning == 1:
+        return coarse
+    out: FloatImage = np.empty(shape, dtype=np.float32)
+    strips = tiles.spans(shape[0], 64)
+    with Job().stage("expand", len(strips)) as stage:
+        tiles.run_each(lambda rows: expand(coarse, binning, jump, *rows, out), strips, stage)
+    return out

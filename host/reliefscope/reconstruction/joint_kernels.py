@@ -1,0 +1,272 @@
+"""Kernel of matching jointly over lights: small windows of every channel and height vote on a larger one.
+
+For shifted views ``t_k`` of one channel (one group of lights), in a window of a few pixels, the mean
+correlation in its variance-of-sum form (:mod:`~reliefscope.reconstruction.ncc_sum_kernels`) is
+
+    score = (var(sum_k t_k) - sum_k v_k) / ((K - 1) (sum_k v_k + noise))
+
+with the window variances ``v_k`` taken once per view and shifted (linear in between), not once per height.
+The score of a pixel is the mean over the channels and over a larger window of such scores: a small window
+that straddles a bright edge has one vote, whereas in one large window the edge would outweigh all texture.
+
+All sums are float32 and direct, never running, on images whose mean was taken off.  A tile stays in the
+second-level cache.  The kernels release the interpreter lock and are single-threaded.
+"""
+
+from __future__ import annotations
+
+import numpy as np
+from numba import njit
+from numpy.typing import NDArray
+
+from reliefscope.reconstruction.ncc_kernels import F32, I64
+
+Mask = NDArray[np.bool_]
+
+
+@njit(cache=True, nogil=True, error_model="numpy", fastmath=True)
+def blend_rows(above: F32, here: F32, below: F32, further: F32, weights: F32, line: F32) -> None:
+    """Cubic sample along the columns: one row between four."""
+    a0, a1, a2, a3 = weights[0], weights[1], weights[2], weights[3]
+    for x in range(line.size):
+        line[x] = a0 * above[x] + a1 * here[x] + a2 * below[x] + a3 * further[x]
+
+
+@njit(cache=True, nogil=True, error_model="numpy", fastmath=True)
+def add_along(line: F32, weights: F32, total: F32) -> None:
+    """Add the cubic sample along the row."""
+    b0, b1, b2, b3 = weights[0], weights[1], weights[2], weights[3]
+    for x in range(total.size):
+        total[x] += b0 * line[x] + b1 * line[x + 1] + b2 * line[x + 2] + b3 * line[x + 3]
+
+
+@njit(cache=True, nogil=True, error_model="numpy", fastmath=True)
+def add_linear(above: F32, below: F32, down: np.float32, right: np.float32, total: F32) -> None:
+    """Add the linear sample between two rows and neighbouring columns."""
+    up, left = np.float32(1.0) - down, np.float32(1.0) - right
+    w00, w01, w10, w11 = up * left, up * right, down * left, down * right
+    for x in range(total.size):
+        total[x] += w00 * above[x] + w01 * above[x + 1] + w10 * below[x] + w11 * below[x + 1]
+
+
+@njit(cache=True, nogil=True, error_model="numpy", fastmath=True)
+def add_rows(row: F32, sums: F32, squares: F32) -> None:
+    """Add one row, and its squares, to the column sums of a small window."""
+    for x in range(row.size):
+        value = row[x]
+        sums[x] += value
+        squares[x] += value * value
+
+
+@njit(cache=True, nogil=True, error_model="numpy", fastmath=True)
+def across(columns: F32, window: int, out: F32) -> None:
+    """Sums of ``window`` neighbours of a row of column sums."""
+    if window == 3:
+        for x in range(out.size):
+            out[x] = columns[x] + columns[x + 1] + columns[x + 2]
+        return
+    if window == 5:
+        for x in range(out.size):
+            out[x] = (
+                (columns[x] + columns[x + 1]) + columns[x + 2] + (columns[x + 3] + columns[x + 4])
+            )
+        return
+    for x in range(out.size):
+        out[x] = columns[x]
+    for shift in range(1, window):
+        for x in range(out.size):
+            out[x] += columns[x + shift]
+
+
+@njit(cache=True, nogil=True, error_model="numpy", fastmath=True)
+def add_score(
+    sums: F32, squares: F32, own: F32, share: np.float32, noise: np.float32, views: int, score: F32
+) -> None:
+    """Add the variance-of-sum score of the small windows of one row and channel."""
+    pairs = np.float32(1.0 / (views - 1))
+    for x in range(score.size):
+        mean = sums[x] * share
+        of_sum = squares[x] * share - mean * mean
+        score[x] += pairs * (of_sum - own[x]) / (own[x] + noise)
+
+
+@njit(cache=True, nogil=True, error_model="numpy", fastmath=True)
+def add_row(row: F32, sums: F32) -> None:
+    """Add one row of scores to the column sums of the larger window."""
+    for x in range(row.size):
+        sums[x] += row[x]
+
+
+@njit(cache=True, nogil=True, error_model="numpy", fastmath=True)
+def scale_row(sums: F32, factor: np.float32, out: F32) -> None:
+    """Mean score, kept within [-1, 1]."""
+    for x in range(out.size):
+        out[x] = min(max(sums[x] * factor, np.float32(-1.0)), np.float32(1.0))
+
+
+@njit(cache=True, nogil=True, error_model="numpy")
+def window_variance(image: F32, window: int, out: F32) -> None:
+    """Variance in the ``window`` around each pixel of ``image``; the rim repeats its neighbour."""
+    rows, cols = image.shape
+    radius = window // 2
+    share = np.float32(1.0 / (window * window))
+    sums = np.empty(cols, dtype=np.float32)
+    squares = np.empty(cols, dtype=np.float32)
+    wide = np.empty((2, cols - 2 * radius), dtype=np.float32)
+    for r in range(radius, rows - radius):
+        sums[:] = np.float32(0.0)
+        squares[:] = np.float32(0.0)
+        for y in range(r - radius, r + radius + 1):
+            add_rows(image[y], sums, squares)
+        across(sums, window, wide[0])
+        across(squares, window, wide[1])
+        for x in range(wide.shape[1]):
+            mean = wide[0, x] * share
+            out[r, radius + x] = max(wide[1, x] * share - mean * mean, np.float32(0.0))
+        out[r, :radius] = out[r, radius]
+        out[r, cols - radius :] = out[r, cols - radius - 1]
+    out[:radius] = out[radius]
+    out[rows - radius :] = out[rows - radius - 1]
+
+
+@njit(cache=True, nogil=True, error_model="numpy")
+def score_tile_jointly(
+    images: F32,
+    variances: F32,
+    margin: int,
+    row_whole: I64,
+    col_whole: I64,
+    row_weights: F32,
+    col_weights: F32,
+    fractions: F32,
+    used: Mask,
+    tile: I64,
+    small: int,
+    large: int,
+    noise_variance: float,
+    curves: F32,
+) -> None:
+    """Joint score of one tile for every height.
+
+    Parameters
+    ----------
+    images, variances:
+        (C, K, H + 2 margin, W + 2 margin) channels without their mean, and their window variances.
+    margin:
+        Border of ``images`` on every side.
+    row_whole, col_whole, row_weights, col_weights:
+        (N, K) whole shifts and (N, K, 4) cubic weights.
+    fractions:
+        (N, K, 2) fractions of the shifts, rows first.
+    used:
+        (N, K) views whose windows are inside the frame for the whole tile.
+    tile:
+        first row, one-past-last row, first column, one-past-last column.
+    small, large:
+        Sides of the window that is correlated and of the window over which scores are averaged.
+    noise_variance:
+        Added per view to the window variance in the denominator.
+    curves:
+        (N, rows, cols) output; NaN at heights where fewer than half of the pairs are used.
+    """
+    channels, views = images.shape[0], images.shape[1]
+    inner, outer = small // 2, large // 2
+    reach = inner + outer
+    rows, cols = tile[1] - tile[0], tile[3] - tile[2]
+    depth, width = rows + 2 * reach, cols + 2 * reach
+    scored_rows, scored_cols = rows + 2 * outer, cols + 2 * outer
+    top, left = margin + tile[0] - reach, margin + tile[2] - reach
+    share = np.float32(1.0 / (small * small))
+    totals = np.empty((depth, width), dtype=np.float32)
+    own = np.empty((scored_rows, scored_cols), dtype=np.float32)
+    scores = np.empty((scored_rows, scored_cols), dtype=np.float32)
+    line = np.empty(width + 3, dtype=np.float32)
+    sums = np.empty(width, dtype=np.float32)
+    squares = np.empty(width, dtype=np.float32)
+    wide_sums = np.empty(scored_cols, dtype=np.float32)
+    wide_squares = np.empty(scored_cols, dtype=np.float32)
+    mean = np.empty(cols, dtype=np.float32)
+    for n in range(row_whole.shape[0]):
+        count = 0
+        for k in range(views):
+            count += used[n, k]
+        if count < 2 or 2 * count * (count - 1) < views * (views - 1):
+            curves[n] = np.nan
+            continue
+        noise = np.float32(noise_variance * count)
+        scores[:] = np.float32(0.0)
+        for c in range(channels):
+            totals[:] = np.float32(0.0)
+            own[:] = np.float32(0.0)
+            for k in range(views):
+                if not used[n, k]:
+                    continue
+                image, variance = images[c, k], variances[c, k]
+                y0, x0 = top + row_whole[n, k], left + col_whole[n, k]
+                for r in range(depth):
+                    y = y0 + r
+                    blend_rows(
+                        image[y - 1, x0 - 1 : x0 + width + 2],
+                        image[y, x0 - 1 : x0 + width + 2],
+                        image[y + 1, x0 - 1 : x0 + width + 2],
+                        image[y + 2, x0 - 1 : x0 + width + 2],
+                        row_weights[n, k],
+                        line,
+                    )
+                    add_along(line, col_weights[n, k], totals[r])
+                down, right = fractions[n, k, 0], fractions[n, k, 1]
+                first = x0 + inner
+                for r in range(scored_rows):
+                    y = y0 + inner + r
+                    add_linear(
+                        variance[y, first : first + scored_cols + 1],
+                        variance[y + 1, first : first + scored_cols + 1],
+                        down,
+                        right,
+                        own[r],
+                    )
+            for r in range(scored_rows):
+                sums[:] = np.float32(0.0)
+                squares[:] = np.float32(0.0)
+                for y in range(r, r + small):
+                    add_rows(totals[y], sums, squares)
+                across(sums, small, wide_sums)
+                across(squares, small, wide_squares)
+                add_score(wide_sums, wide_squares, own[r], share, noise, count, scores[r])
+        factor = np.float32(1.0 / (channels * large * large))
+        for r in range(rows):
+            sums[:scored_cols] = np.float32(0.0)
+            for y in range(r, r + large):
+                add_row(scores[y], sums[:scored_cols])
+            across(sums[:scored_cols], large, mean)
+            scale_row(mean, factor, curves[n, r])
+
+
+@njit(cache=True, nogil=True, error_model="numpy")
+def expand(coarse: F32, factor: int, jump: float, first: int, stop: int, out: F32) -> None:
+    """Rows ``first`` to ``stop`` of ``out``: ``coarse``, one value per ``factor`` x ``factor`` pixels.
+
+    Linear between the four values around a pixel; the nearest one where one of them is missing or they
+    differ by more than ``jump``, so that no slope appears at a step.
+    """
+    rows, cols = coarse.shape
+    for r in range(first, stop):
+        y = min(max((r + 0.5) / factor - 0.5, 0.0), rows - 1.0)
+        above = min(int(y), max(rows - 2, 0))
+        below = min(above + 1, rows - 1)
+        down = np.float32(y - above)
+        for c in range(out.shape[1]):
+            x = min(max((c + 0.5) / factor - 0.5, 0.0), cols - 1.0)
+            left = min(int(x), max(cols - 2, 0))
+            right = min(left + 1, cols - 1)
+            along = np.float32(x - left)
+            v00, v01 = coarse[above, left], coarse[above, right]
+            v10, v11 = coarse[below, left], coarse[below, right]
+            spread = max(v00, v01, v10, v11) - min(v00, v01, v10, v11)
+            known = not (np.isnan(v00) or np.isnan(v01) or np.isnan(v10) or np.isnan(v11))
+            if known and spread <= jump:
+                upper = v00 + along * (v01 - v00)
+                lower = v10 + along * (v11 - v10)
+                out[r, c] = upper + down * (lower - upper)
+            else:
+                out[r, c] = coarse[int(y + 0.5), int(x + 0.5)]
