@@ -99,6 +99,14 @@ def replay(
     file: Annotated[
         Path, typer.Argument(metavar="FILE", help="Bundle, or the wire-*.jsonl of a run.")
     ],
+    instrument: Annotated[
+        str | None,
+        typer.Option(
+            "--instrument",
+            metavar="URL",
+            help="sim://NAME?... with options over the recorded ones.",
+        ),
+    ] = None,
     pictures: Annotated[
         bool,
         typer.Option("--pictures/--no-pictures", help="Compare every picture, or timing alone."),
@@ -114,7 +122,7 @@ def replay(
     """
     from reliefscope_sim.replay import play_file
 
-    report = play_file(file, pictures=pictures)
+    report = play_file(file, instrument=instrument, pictures=pictures)
     if as_json:
         content = {"schema_version": JSON_SCHEMA_VERSION, **report.as_dict()}
         typer.echo(json.dumps(content, indent=2))

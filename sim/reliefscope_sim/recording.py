@@ -40,6 +40,8 @@ class Recording:
     source: str
     device: str
     """Address of the device."""
+    keeps_time: bool
+    """Whether times are the instrument's own; else the host's, and good for the order of things."""
     happenings: tuple[Happening, ...]
 
     @property
@@ -67,7 +69,8 @@ class Recording:
             happenings = tuple(_happenings(lines[1:]))
         except (KeyError, TypeError, ValueError) as error:
             raise _unreadable(path, f"a line is damaged ({error})") from error
-        return cls(str(path), str(head.get("device", "")), happenings)
+        keeps_time = head.get("clock") == "instrument"
+        return cls(str(path), str(head.get("device", "")), keeps_time, happenings)
 
 
 def _lines(path: Path) -> list[dict[str, Any]]:

@@ -23,6 +23,8 @@ if TYPE_CHECKING:
 
 DELIMITER = b"\0"
 """Sent ahead of each frame by the host."""
+BOOT_US = 1_000_000
+"""Time that a device has to start before a recording by the host's clock begins."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -69,11 +71,13 @@ class Player:
     def play(self) -> ReplayReport:
         """Play it to its end; the port is closed and the camera let go afterwards."""
         bench = self._bench
+        begin_us = 0 if self._recording.keeps_time else BOOT_US
+        bench.run_to(begin_us)
         bench.open_port()
         bench.open_camera(set_up=self._pictures)
         try:
             for happening in self._recording.happenings:
-                bench.run_to(happening.time_us)
+                bench.run_to(begin_us + happening.time_us)
                 self._follow(happening)
         finally:
             bench.close_camera()
@@ -136,10 +140,9 @@ class Player:
         if exposure is None:
             self._differ(happening, "no frame")
             return
-        if (exposure.frame_id, exposure.start_us) != (
-            happening.content["frame_id"],
-            happening.content["time_us"],
-        ):
+        recorded = (happening.content["frame_id"], happening.content["time_us"])
+        start_us = exposure.start_us if self._recording.keeps_time else recorded[1]
+        if (exposure.frame_id, start_us) != recorded:
             self._differ(happening, f"frame {exposure.frame_id} of {exposure.start_us} us")
             return
         if self._pictures:
@@ -156,19 +159,21 @@ class Player:
         )
 
 
-def play_file(path: Path, *, pictures: bool = True) -> ReplayReport:
+def play_file(path: Path, *, instrument: str | None = None, pictures: bool = True) -> ReplayReport:
     """Play a bundle or a wire log on a bench of its own.
+
+    ``instrument`` is a ``sim://`` address with the options to use instead of those of the recording.
 
     Raises
     ------
     InvalidInputError
-        If the file cannot be played.
+        If the file cannot be played, or the address is wrong.
     """
     from reliefscope_sim.bench import Bench
     from reliefscope_sim.url import SimUrl
 
     recording = Recording.load(path)
-    bench = Bench(SimUrl.of_recording(str(path)), recording.nonces)
+    bench = Bench(SimUrl.of_recording(path, instrument), recording.nonces)
     try:
         return Player(bench, recording, pictures=pictures).play()
     finally:

@@ -109,9 +109,12 @@ class SimUrl:
         return cls._from_options(name, options)
 
     @classmethod
-    def of_recording(cls, path: str) -> SimUrl:
-        """The instrument that a bundle or wire log was recorded from, without playing it."""
-        return cls._from_options("replay", {"replay": path})
+    def of_recording(cls, path: Path, instrument: str | None = None) -> SimUrl:
+        """The instrument of a bundle or wire log, with the options of ``instrument`` over its own."""
+        wanted = cls.parse(instrument) if instrument else None
+        options = dict(wanted.given) if wanted else {}
+        name = wanted.name if wanted else "replay"
+        return cls._from_options(name, {**options, "replay": str(path)})
 
     @classmethod
     def _from_options(cls, name: str, given: dict[str, str]) -> SimUrl:

@@ -6,8 +6,9 @@ from pathlib import Path
 
 import pytest
 from tests.acquisition.bench import instrument, small_plan
+from tests.sim.flow import LEFT, SHUT, SIZE, one_led, step, take
 
-from reliefscope.camera import open_camera
+from reliefscope.camera import CameraSettings, RecordedCamera, open_camera
 from reliefscope.cli import main
 from reliefscope.device import Device
 from reliefscope.errors import DatasetError, InvalidInputError, OutputExistsError, ReliefscopeError
@@ -15,6 +16,7 @@ from reliefscope.microscope import bundle_run
 from reliefscope_sim.bench import Bench
 from reliefscope_sim.recording import Recording
 from reliefscope_sim.replay import play_file
+from reliefscope_sim.serve import InstrumentServer
 from reliefscope_sim.url import SimUrl
 
 LINK = "link_loss:0.03,link_flip:0.001,link_duplicate:0.03,link_delay:3,link_loss_at:5"
@@ -126,6 +128,24 @@ def test_a_difference_is_told_with_its_time(tmp_path, bundle, capsys):
     assert f"At {changed['t']:.6f} s" in said["difference"]
     assert main(["sim", "replay", str(altered), "--no-pictures"]) == 0
     assert "Everything was the same" in capsys.readouterr().out
+
+
+def test_a_session_over_tcp_is_repeated_by_the_hosts_clock(tmp_path):
+    url = f"sim://benchtop?{SIZE}&scene=flat&seed=2"
+    log = tmp_path / "wire.jsonl"
+    with InstrumentServer(url) as server, Device.open(server.device_url, wire_log=log) as device:
+        camera = RecordedCamera(open_camera(server.camera_url), device.log.note_camera)
+        device.load_aperture(0, LEFT)
+        device.load_light(0, one_led(8))
+        camera.configure(CameraSettings(20_000))
+        camera.arm()
+        take(device, camera, [step(SHUT, 0, 1, 100_000), step(0, 0, 2, 400_000)])
+        camera.close()
+    report = play_file(log, instrument=url)
+    assert report.pictures == report.same_pictures == 3
+    assert report.same_answers > report.answers / 2
+    other = play_file(log, instrument=url.replace("seed=2", "seed=3"))
+    assert other.same_pictures == 0
 
 
 def test_the_command_makes_a_bundle(tmp_path, capsys):

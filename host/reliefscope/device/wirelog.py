@@ -22,7 +22,7 @@ logger = logging.getLogger(__name__)
 
 Direction = Literal["out", "in"]
 SCHEMA_VERSION = 1
-KEPT_LINES = 200_000
+KEPT_LINES = 50_000
 """Lines kept in memory; older ones are forgotten, which the first line of a file then says."""
 
 _Entry = tuple[float, str, Frame | str, Mapping[str, Any]]
