@@ -40,21 +40,21 @@ GROUPS = 4
 BINNING = 2
 """Pixels per side that are averaged before matching."""
 SMALL_WINDOW = 3
-LARGE_WINDOW = 7
+LARGE_WINDOW = 5
 """Windows in binned pixels: correlated, and averaged over."""
-STEP_PX = 0.25
+STEP_PX = 0.33
 """Parallax, in binned pixels and against the mean view, between neighbouring candidate heights."""
-NOISE_SHARE = 0.1
+NOISE_SHARE = 0.3
 """Variance added to each window's in the denominator, as a share of the median window variance."""
-DARK_SHARE = 0.1
+DARK_SHARE = 0.5
 """Intensity added before the logarithm, as a share of the median intensity."""
-QUALITY_THRESHOLD = 0.25
+QUALITY_THRESHOLD = 0.15
 """Quality below which heights are better discarded (docs/explanation/default-method.md)."""
 LEAST_SIDE = 48
 """Binned images are at least so wide and high; smaller ones are matched as they are."""
 
 TILE_ROWS = 48
-TILE_COLUMNS = 112
+TILE_COLUMNS = 350
 BORDER_ROWS = 2
 JUMP_STEPS = 3.0
 """Difference between neighbours, in steps of height, over which no height is interpolated."""

@@ -87,7 +87,8 @@ def add_score(
     for x in range(score.size):
         mean = sums[x] * share
         of_sum = squares[x] * share - mean * mean
-        score[x] += pairs * (of_sum - own[x]) / (own[x] + noise)
+        correlation = pairs * (of_sum - own[x]) / (own[x] + noise)
+        score[x] += min(max(correlation, np.float32(-1.0)), np.float32(1.0))
 
 
 @njit(cache=True, nogil=True, error_model="numpy", fastmath=True)

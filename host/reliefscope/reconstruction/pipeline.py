@@ -1,7 +1,8 @@
 """From a run to a surface: section III of the paper, stage by stage.
 
-1. Views for matching: the mean over the lights of each view, brought to equal gain.  These are luminances; a
-   raw mosaic is never matched, because its pattern agrees with itself at zero parallax.
+1. Views for matching: the mean of each view over the lights (joint matching: over each group of lights), of
+   equal gain.  These are luminances; a raw mosaic is never matched, because its pattern agrees with itself
+   at zero parallax.
 2. Multi-view stereo; heights of low quality are discarded; robust smoothing fills and cleans them.
 3. Frames are brought to the view s = 0 by the smoothed height, and averaged over the views, light by light.
 4. Photometric stereo; normals of low quality are discarded.
@@ -25,7 +26,7 @@ from numpy.typing import NDArray
 
 from reliefscope.errors import InvalidInputError
 from reliefscope.jobs import Job, ensure_job
-from reliefscope.reconstruction import fusion, mvs, photometric, registration, smoothing
+from reliefscope.reconstruction import fusion, joint, mvs, photometric, registration, smoothing
 from reliefscope.reconstruction.result import Reconstruction
 from reliefscope.reconstruction.settings import Settings
 from reliefscope.units import BoolImage, FloatImage
@@ -139,11 +140,11 @@ class _Pipeline:
         stereo: mvs.MvsResult | None = None
         smoothed: FloatImage | None = None
         if self._stereo:
-            views = self._view_means()
+            channels, shares = self._channel_means()
             if micrograph is None:
-                micrograph = views[self._nearest()].copy()
-            stereo = self._match(views)
-            del views
+                micrograph = np.tensordot(shares, channels[:, self._nearest()], axes=1)
+            stereo = self._match(channels)
+            del channels
             smoothed, figures["smoothing_parameter"] = self._smooth(stereo)
         solved: photometric.PsResult | None = None
         if self._photometric:
@@ -228,10 +229,16 @@ class _Pipeline:
         yield
         self._timings[stage] = self._timings.get(stage, 0.0) + time.perf_counter() - begun
 
-    def _view_means(self) -> FloatImage:
-        """Mean over the lights of every view (K, H, W), of equal mean."""
+    def _channel_means(self) -> tuple[FloatImage, FloatImage]:
+        """Mean over each group of lights of every view (C, K, H, W), of equal mean; shares (C,) of the lights."""
         views, lights = len(self._run.view_names), len(self._run.light_names)
-        means = np.zeros((views, *self._run.shape), np.float32)
+        groups = (
+            joint.light_groups(self._run.lights, lights)
+            if self._settings.matching == "joint"
+            else [list(range(lights))]
+        )
+        channel = {light: c for c, group in enumerate(groups) for light in group}
+        means = np.zeros((len(groups), views, *self._run.shape), np.float32)
         with (
             self._timed("read frames"),
             self._job.stage("read frames", views * lights) as stage,
@@ -239,27 +246,38 @@ class _Pipeline:
             for view, light, image in self._run.stack():
                 if self._kept is not None:
                     self._kept[view, light] = image
-                means[view] += image
+                means[channel[light], view] += image
                 stage.advance()
-            means /= np.float32(lights)
-            levels = means.mean(axis=(1, 2), dtype=np.float64)
+            for c, group in enumerate(groups):
+                means[c] /= np.float32(len(group))
+            shares = np.array([len(group) for group in groups], np.float32) / np.float32(lights)
+            levels = shares @ means.mean(axis=(2, 3), dtype=np.float64)
             for view, level in enumerate(levels):
                 _refuse_undefined(float(level), f"view {self._run.view_names[view]}")
             self._gains = levels.mean() / levels
             means *= self._gains.astype(np.float32)[:, None, None]
-        return means
+        return means, shares
 
-    def _match(self, views: FloatImage) -> mvs.MvsResult:
+    def _match(self, channels: FloatImage) -> mvs.MvsResult:
         with self._timed("match"):
-            result = mvs.match_views(
-                views,
-                self._slopes,
-                self._heights,
-                self._run.pixel_um,
-                self._settings.window,
-                self._job,
-                parabola=self._settings.parabola,
-            )
+            if self._settings.matching == "joint":
+                result = joint.match_jointly(
+                    channels,
+                    self._slopes,
+                    (float(self._heights[0]), float(self._heights[-1])),
+                    self._run.pixel_um,
+                    self._job,
+                )
+            else:
+                result = mvs.match_views(
+                    channels[0],
+                    self._slopes,
+                    self._heights,
+                    self._run.pixel_um,
+                    self._settings.window,
+                    self._job,
+                    parabola=self._settings.parabola,
+                )
             if self._mask is not None:
                 result.quality[~self._mask] = 0.0
         return result

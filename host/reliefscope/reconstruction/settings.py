@@ -10,7 +10,7 @@ from pydantic import Field, model_validator
 
 from reliefscope.errors import InvalidInputError
 from reliefscope.models.base import StrictModel, load_model
-from reliefscope.reconstruction import fusion, mvs
+from reliefscope.reconstruction import fusion, joint, mvs
 
 Fraction = Annotated[float, Field(ge=0.0, le=1.0)]
 Positive = Annotated[float, Field(gt=0.0, allow_inf_nan=False)]
@@ -29,6 +29,9 @@ class Settings(StrictModel):
 
     height_range_um: tuple[float, float] | None = None
     """Lowest and highest height searched; None: as the run says."""
+    matching: Literal["pairs", "joint"] = "pairs"
+    """``pairs``: eq. 3 on the mean over the lights.  ``joint``: groups of lights together, coarser and faster
+    (:mod:`~reliefscope.reconstruction.joint`); ``height_step_um``, ``window`` and ``parabola`` are its own."""
     height_step_um: Positive = 1.0
     window: Annotated[int, Field(ge=3, le=101)] = mvs.WINDOW
     """Side of the correlation window in pixels, odd."""
@@ -76,6 +79,12 @@ class Settings(StrictModel):
 METHODS: dict[str, Settings] = {
     "paper": Settings(),
     "robust": Settings(method="robust", parabola=True, trim=(0.2, 0.9)),
+    "joint": Settings(
+        method="joint",
+        matching="joint",
+        stereo_quality=joint.QUALITY_THRESHOLD,
+        trim=(0.2, 0.9),
+    ),
 }
 
 
