@@ -20,7 +20,7 @@ RESIDUAL_SCALE = 0.2
 """Residual, as a fraction of full scale, that halves the quality, eq. 10."""
 SLANT_SCALE_RAD = math.radians(80.0)
 """Slant that halves the quality, eq. 10."""
-FULL_SCALE_PERCENTILE = 99.0
+FULL_SCALE_PERCENTILE = 95.0
 """Percentile of the intensities that counts as full scale in eq. 10."""
 CHANGE_SCALE = 0.1
 """Change of the normal per pixel that halves the quality, eq. 10."""
@@ -186,7 +186,8 @@ def full_scale_of(images: FloatImage, percentile: float = FULL_SCALE_PERCENTILE)
     Eq. 10 weighs the residual against full scale, so it takes the sample for well exposed.  Behind a leaking
     glass it never is: the shut pixels fill a large part of the camera's range, and the frames that are left
     after the subtraction of their light reach a fraction of it.  Full scale is therefore where a well
-    exposed frame would have it, at the brightest hundredth of the sample's own intensities.
+    exposed frame would have it: at the level that the brightest twentieth of the sample exceeds, so that highlights
+    may clip and the matte part fills the range.
     """
     level = float(np.nanpercentile(images[:, ::4, ::4], percentile))
     return level if level > 0.0 else 1.0

@@ -49,7 +49,7 @@ class Settings(StrictModel):
     trim: tuple[Fraction, Fraction] | None = None
     """Share of the lights, darkest first, between which intensities count; None: all lights."""
     full_scale: Positive | None = None
-    """Intensity that counts as 1 in eq. 10; None: the brightest hundredth of the images."""
+    """Intensity that counts as 1 in eq. 10; None: what a twentieth of the images exceeds."""
     photometric_quality: Fraction = 0.25
     """Normals of a lower quality are discarded."""
 
