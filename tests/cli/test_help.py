@@ -15,6 +15,8 @@ COMMANDS = [
     "reconstruct",
     "evaluate",
     "verify",
+    "bundle",
+    "sim",
     "info",
     "import",
     "doctor",

@@ -27,7 +27,7 @@ def bundle(
     with session(ProgressMode.NONE, as_json=as_json) as this:
         from reliefscope import microscope
         from reliefscope.units import format_bytes
-        
+
         path = microscope.bundle_run(run, out)
     size = path.stat().st_size
     this.result(
