@@ -18,7 +18,7 @@ using fake::Input;
 namespace wire = reliefscope::wire;
 
 // An input may not keep the device for longer than this, however it is written.
-constexpr std::uint64_t kLongestUs = 20000000;
+constexpr std::uint64_t kLongestUs = 6000000;
 // A lock, a late interrupt and the cut-off itself take a moment.
 constexpr std::uint64_t kSlackUs = 3000;
 constexpr std::uint64_t kLinkTimeoutUs = std::uint64_t{wire::kLinkTimeoutMs} * 1000;
@@ -72,7 +72,7 @@ void sequence(Device& device, Reader in) {
   for (wire::Step& step : steps) {
     step.aperture = (in.byte() & 1) != 0 ? 255 : 0;
     step.light = (in.byte() & 1) != 0 ? 255 : 0;
-    step.repeat = static_cast<std::uint16_t>(1 + in.byte());
+    step.repeat = static_cast<std::uint16_t>(1 + in.byte() % 64);
     step.settle_us = in.number(2);
     step.exposure_us = 10 + in.number(2);
   }
@@ -106,7 +106,7 @@ void act(Device& device, unsigned kind, Reader in) {
       break;
     }
     case 4: {
-      const std::uint32_t silent_us = in.number(3);
+      const std::uint32_t silent_us = in.number(2) * 64;
       device.run_for(silent_us);
       if (broken(device, silent_us)) {
         std::abort();

@@ -25,7 +25,7 @@ wire::LoadLightRequest light(std::uint8_t slot, std::uint16_t level) {
 
 TEST(link_hello_is_answered_under_any_nonce) {
   Device device(wire::ResetCause::kWatchdog);
-  for (const std::uint32_t nonce : {0u, kNonce, ~kNonce}) {
+  for (const std::uint32_t nonce : {std::uint32_t{0}, kNonce, ~kNonce}) {
     device.send(wire::HelloRequest{}, 99, nonce);
     wire::HelloReply reply;
     CHECK(device.answer(99, reply).any);
