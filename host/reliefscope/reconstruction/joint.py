@@ -62,10 +62,9 @@ JUMP_STEPS = 3.0
 
 @dataclass(frozen=True, slots=True)
 class _Channels:
-    """Binned logarithms (C, K, H', W') with repeated borders, and their window variances."""
+    """Binned logarithms (C, K, H', W') with repeated borders."""
 
     images: FloatImage
-    variances: FloatImage
     margin: int
     noise_variance: float
 
@@ -163,9 +162,6 @@ def match_jointly(
     height_um = np.empty(coarse, dtype=np.float32)
     quality = np.empty(coarse, dtype=np.float32)
     peak = np.empty(coarse, dtype=np.float32)
-    fractions = np.stack(
-        [plan.row_px - np.floor(plan.row_px), plan.col_px - np.floor(plan.col_px)], axis=-1
-    ).astype(np.float32)
     rows = valid_span(plan.row_px, coarse[0], reach)
     cols = valid_span(plan.col_px, coarse[1], reach)
     least_scores = math.ceil(LEAST_SHARE * heights.size)
@@ -182,13 +178,11 @@ def match_jointly(
         )
         score_tile_jointly(
             prepared.images,
-            prepared.variances,
             prepared.margin,
             plan.row_whole,
             plan.col_whole,
             plan.row_weights,
             plan.col_weights,
-            fractions,
             used,
             tile,
             small_window,
@@ -208,21 +202,19 @@ def match_jointly(
         tiles.run_each(work, places, stage)
     np.clip(height_um, low, high, out=height_um)
     jump = JUMP_STEPS * float(heights[1] - heights[0])
-    return MvsResult(
-        _expanded(height_um, shape, binning, jump),
-        _expanded(quality, shape, binning, math.inf),
-        _expanded(peak, shape, binning, math.inf),
-    )
+    height_um = _expanded(height_um, shape, binning, jump)
+    quality = _expanded(quality, shape, binning, math.inf)
+    quality[np.isnan(height_um)] = 0.0
+    return MvsResult(height_um, quality, _expanded(peak, shape, binning, math.inf))
 
 
 def _prepared(
     stack: FloatImage, coarse: tuple[int, int], binning: int, margin: int, window: int
 ) -> _Channels:
-    """Binned logarithms without their means, and their window variances."""
+    """Binned logarithms without their means, and the noise floor of their window variances."""
     count, views = stack.shape[:2]
     padded = (count, views, coarse[0] + 2 * margin, coarse[1] + 2 * margin)
     images = np.empty(padded, dtype=np.float32)
-    variances = np.empty(padded, dtype=np.float32)
     medians = np.empty((count, views))
     crop = np.s_[: coarse[0] * binning, : coarse[1] * binning]
     level = float(np.median(stack[:, 0, ::8, ::8]))
@@ -237,13 +229,14 @@ def _prepared(
         images[place] = cv2.copyMakeBorder(
             logarithm, margin, margin, margin, margin, cv2.BORDER_REPLICATE
         )
-        window_variance(images[place], window, variances[place])
-        medians[place] = np.median(variances[place][margin:-margin:4, margin:-margin:4])
+        variance = np.empty([side - window + 1 for side in coarse], dtype=np.float32)
+        window_variance(logarithm, window, variance)
+        medians[place] = np.median(variance[::4, ::4])
 
     places = [(c, k) for c in range(count) for k in range(views)]
     with Job().stage("prepare", len(places)) as stage:
         tiles.run_each(work, places, stage)
-    return _Channels(images, variances, margin, NOISE_SHARE * float(np.median(medians)) + 1e-12)
+    return _Channels(images, margin, NOISE_SHARE * float(np.median(medians)) + 1e-12)
 
 
 def _tiles(

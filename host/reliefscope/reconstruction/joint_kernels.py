@@ -5,8 +5,8 @@ correlation in its variance-of-sum form (:mod:`~reliefscope.reconstruction.ncc_s
 
     score = (var(sum_k t_k) - sum_k v_k) / ((K - 1) (sum_k v_k + noise))
 
-with the window variances ``v_k`` taken once per view and shifted (linear in between), not once per height.
-The score of a pixel is the mean over the channels and over a larger window of such scores: a small window
+with the window variances ``v_k`` of the shifted views themselves: variances taken once and shifted would not
+know that interpolation blurs, and heights of whole shifts would win too often.  The score of a pixel is the mean over the channels and over a larger window of such scores: a small window
 that straddles a bright edge has one vote, whereas in one large window the edge would outweigh all texture.
 
 All sums are float32 and direct, never running, on images whose mean was taken off.  A tile stays in the
@@ -33,20 +33,36 @@ def blend_rows(above: F32, here: F32, below: F32, further: F32, weights: F32, li
 
 
 @njit(cache=True, nogil=True, error_model="numpy", fastmath=True)
-def add_along(line: F32, weights: F32, total: F32) -> None:
-    """Add the cubic sample along the row."""
+def blend_along(line: F32, weights: F32, sample: F32, total: F32, squares: F32) -> None:
+    """Cubic sample along the row; it is kept, and added with its square to the sums over the views."""
     b0, b1, b2, b3 = weights[0], weights[1], weights[2], weights[3]
     for x in range(total.size):
-        total[x] += b0 * line[x] + b1 * line[x + 1] + b2 * line[x + 2] + b3 * line[x + 3]
+        value = b0 * line[x] + b1 * line[x + 1] + b2 * line[x + 2] + b3 * line[x + 3]
+        sample[x] = value
+        total[x] += value
+        squares[x] += value * value
 
 
 @njit(cache=True, nogil=True, error_model="numpy", fastmath=True)
-def add_linear(above: F32, below: F32, down: np.float32, right: np.float32, total: F32) -> None:
-    """Add the linear sample between two rows and neighbouring columns."""
-    up, left = np.float32(1.0) - down, np.float32(1.0) - right
-    w00, w01, w10, w11 = up * left, up * right, down * left, down * right
+def add_squared_sums(columns: F32, window: int, total: F32) -> None:
+    """Add the squares of the sums of ``window`` neighbours of a row of column sums."""
+    if window == 3:
+        for x in range(total.size):
+            value = columns[x] + columns[x + 1] + columns[x + 2]
+            total[x] += value * value
+        return
     for x in range(total.size):
-        total[x] += w00 * above[x] + w01 * above[x + 1] + w10 * below[x] + w11 * below[x + 1]
+        value = columns[x]
+        for shift in range(1, window):
+            value += columns[x + shift]
+        total[x] += value * value
+
+
+@njit(cache=True, nogil=True, error_model="numpy", fastmath=True)
+def add_three(above: F32, here: F32, below: F32, out: F32) -> None:
+    """Sum of three rows."""
+    for x in range(out.size):
+        out[x] = above[x] + here[x] + below[x]
 
 
 @njit(cache=True, nogil=True, error_model="numpy", fastmath=True)
@@ -80,14 +96,22 @@ def across(columns: F32, window: int, out: F32) -> None:
 
 @njit(cache=True, nogil=True, error_model="numpy", fastmath=True)
 def add_score(
-    sums: F32, squares: F32, own: F32, share: np.float32, noise: np.float32, views: int, score: F32
+    sums: F32,
+    squares: F32,
+    own_squares: F32,
+    squared_sums: F32,
+    share: np.float32,
+    noise: np.float32,
+    views: int,
+    score: F32,
 ) -> None:
     """Add the variance-of-sum score of the small windows of one row and channel."""
     pairs = np.float32(1.0 / (views - 1))
     for x in range(score.size):
         mean = sums[x] * share
         of_sum = squares[x] * share - mean * mean
-        correlation = pairs * (of_sum - own[x]) / (own[x] + noise)
+        own = max(own_squares[x] * share - squared_sums[x] * share * share, np.float32(0.0))
+        correlation = pairs * (of_sum - own) / (own + noise)
         score[x] += min(max(correlation, np.float32(-1.0)), np.float32(1.0))
 
 
@@ -107,39 +131,32 @@ def scale_row(sums: F32, factor: np.float32, out: F32) -> None:
 
 @njit(cache=True, nogil=True, error_model="numpy")
 def window_variance(image: F32, window: int, out: F32) -> None:
-    """Variance in the ``window`` around each pixel of ``image``; the rim repeats its neighbour."""
-    rows, cols = image.shape
-    radius = window // 2
+    """Variance (H - window + 1, W - window + 1) in the windows that lie inside ``image``."""
+    cols = image.shape[1]
     share = np.float32(1.0 / (window * window))
     sums = np.empty(cols, dtype=np.float32)
     squares = np.empty(cols, dtype=np.float32)
-    wide = np.empty((2, cols - 2 * radius), dtype=np.float32)
-    for r in range(radius, rows - radius):
+    wide = np.empty((2, out.shape[1]), dtype=np.float32)
+    for r in range(out.shape[0]):
         sums[:] = np.float32(0.0)
         squares[:] = np.float32(0.0)
-        for y in range(r - radius, r + radius + 1):
+        for y in range(r, r + window):
             add_rows(image[y], sums, squares)
         across(sums, window, wide[0])
         across(squares, window, wide[1])
-        for x in range(wide.shape[1]):
+        for x in range(out.shape[1]):
             mean = wide[0, x] * share
-            out[r, radius + x] = max(wide[1, x] * share - mean * mean, np.float32(0.0))
-        out[r, :radius] = out[r, radius]
-        out[r, cols - radius :] = out[r, cols - radius - 1]
-    out[:radius] = out[radius]
-    out[rows - radius :] = out[rows - radius - 1]
+            out[r, x] = max(wide[1, x] * share - mean * mean, np.float32(0.0))
 
 
 @njit(cache=True, nogil=True, error_model="numpy")
 def score_tile_jointly(
     images: F32,
-    variances: F32,
     margin: int,
     row_whole: I64,
     col_whole: I64,
     row_weights: F32,
     col_weights: F32,
-    fractions: F32,
     used: Mask,
     tile: I64,
     small: int,
@@ -151,14 +168,12 @@ def score_tile_jointly(
 
     Parameters
     ----------
-    images, variances:
-        (C, K, H + 2 margin, W + 2 margin) channels without their mean, and their window variances.
+    images:
+        (C, K, H + 2 margin, W + 2 margin) channels without their mean.
     margin:
         Border of ``images`` on every side.
     row_whole, col_whole, row_weights, col_weights:
         (N, K) whole shifts and (N, K, 4) cubic weights.
-    fractions:
-        (N, K, 2) fractions of the shifts, rows first.
     used:
         (N, K) views whose windows are inside the frame for the whole tile.
     tile:
@@ -179,13 +194,14 @@ def score_tile_jointly(
     top, left = margin + tile[0] - reach, margin + tile[2] - reach
     share = np.float32(1.0 / (small * small))
     totals = np.empty((depth, width), dtype=np.float32)
-    own = np.empty((scored_rows, scored_cols), dtype=np.float32)
+    squares = np.empty((depth, width), dtype=np.float32)
+    sample = np.empty((depth, width), dtype=np.float32)
+    squared_sums = np.empty((scored_rows, scored_cols), dtype=np.float32)
     scores = np.empty((scored_rows, scored_cols), dtype=np.float32)
     line = np.empty(width + 3, dtype=np.float32)
     sums = np.empty(width, dtype=np.float32)
-    squares = np.empty(width, dtype=np.float32)
-    wide_sums = np.empty(scored_cols, dtype=np.float32)
-    wide_squares = np.empty(scored_cols, dtype=np.float32)
+    sums_squares = np.empty(width, dtype=np.float32)
+    wide = np.empty((3, scored_cols), dtype=np.float32)
     mean = np.empty(cols, dtype=np.float32)
     for n in range(row_whole.shape[0]):
         count = 0
@@ -198,11 +214,12 @@ def score_tile_jointly(
         scores[:] = np.float32(0.0)
         for c in range(channels):
             totals[:] = np.float32(0.0)
-            own[:] = np.float32(0.0)
+            squares[:] = np.float32(0.0)
+            squared_sums[:] = np.float32(0.0)
             for k in range(views):
                 if not used[n, k]:
                     continue
-                image, variance = images[c, k], variances[c, k]
+                image = images[c, k]
                 y0, x0 = top + row_whole[n, k], left + col_whole[n, k]
                 for r in range(depth):
                     y = y0 + r
@@ -214,26 +231,31 @@ def score_tile_jointly(
                         row_weights[n, k],
                         line,
                     )
-                    add_along(line, col_weights[n, k], totals[r])
-                down, right = fractions[n, k, 0], fractions[n, k, 1]
-                first = x0 + inner
-                for r in range(scored_rows):
-                    y = y0 + inner + r
-                    add_linear(
-                        variance[y, first : first + scored_cols + 1],
-                        variance[y + 1, first : first + scored_cols + 1],
-                        down,
-                        right,
-                        own[r],
-                    )
+                    blend_along(line, col_weights[n, k], sample[r], totals[r], squares[r])
+                    first = r - small + 1
+                    if first < 0:
+                        continue
+                    if small == 3:
+                        add_three(sample[first], sample[first + 1], sample[r], sums)
+                    else:
+                        sums[:] = np.float32(0.0)
+                        for y in range(first, r + 1):
+                            add_row(sample[y], sums)
+                    add_squared_sums(sums, small, squared_sums[first])
             for r in range(scored_rows):
                 sums[:] = np.float32(0.0)
-                squares[:] = np.float32(0.0)
+                sums_squares[:] = np.float32(0.0)
                 for y in range(r, r + small):
-                    add_rows(totals[y], sums, squares)
-                across(sums, small, wide_sums)
-                across(squares, small, wide_squares)
-                add_score(wide_sums, wide_squares, own[r], share, noise, count, scores[r])
+                    add_rows(totals[y], sums, sums_squares)
+                across(sums, small, wide[0])
+                across(sums_squares, small, wide[1])
+                sums[:] = np.float32(0.0)
+                for y in range(r, r + small):
+                    add_row(squares[y], sums)
+                across(sums, small, wide[2])
+                add_score(
+                    wide[0], wide[1], wide[2], squared_sums[r], share, noise, count, scores[r]
+                )
         factor = np.float32(1.0 / (channels * large * large))
         for r in range(rows):
             sums[:scored_cols] = np.float32(0.0)
