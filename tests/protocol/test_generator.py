@@ -136,7 +136,7 @@ def test_reference_documents_every_field():
     schema = load(DEFINITION)
     text = generate(schema)["docs/reference/protocol.md"]
     for message in schema.messages:
-        section = text.split(f"### `{message.name}`")[1].split("####")[0]
+        section = text.split(f"### `{message.name}`")[1].split("\n### ")[0]
         for field in message.fields:
             assert re.search(
                 rf"^\| {field.name} \| {re.escape(field.type_text)} ", section, re.MULTILINE
