@@ -22,3 +22,13 @@ target_include_directories(reliefscope_qemu_tests PRIVATE
   "${tests_dir}" "${CMAKE_CURRENT_SOURCE_DIR}/core")
 target_compile_options(reliefscope_qemu_tests PRIVATE -Os)
 target_link_options(reliefscope_qemu_tests PRIVATE --specs=rdimon.specs -T "${qemu_dir}/tests.ld")
+
+# The Teensy's port, compiled and not linked: the stubs declare what it uses of the Teensy core,
+# which PlatformIO brings where its registry is in reach. Flags as that platform's.
+add_library(reliefscope_teensy31_check OBJECT ${core_sources}
+  boards/teensy31/board.cpp boards/teensy31/leds.cpp)
+reliefscope_settings(reliefscope_teensy31_check)
+set_target_properties(reliefscope_teensy31_check PROPERTIES CXX_EXTENSIONS ON)
+target_include_directories(reliefscope_teensy31_check SYSTEM PRIVATE boards/teensy31/stubs)
+target_compile_options(reliefscope_teensy31_check PRIVATE
+  -O2 -fsingle-precision-constant -mno-unaligned-access)
