@@ -176,6 +176,28 @@ def test_iterations_do_not_grow_with_size(derivative: fusion.Derivative) -> None
     assert max(counts) <= 30
 
 
+@pytest.mark.parametrize("pixel_um", [0.01, 1.12, 100.0])
+def test_work_and_shape_do_not_depend_on_the_size_of_a_pixel(pixel_um: float) -> None:
+    """The same slopes under any unit of length: same iterations, heights in proportion."""
+    problem = random_problem((96, 128), seed=7)
+    normals, weights = problem["normals"], problem["q_ps"]
+    expected = fusion.integrate(normals, weights, 1.0, tolerance_um=1e-5)
+    result = fusion.integrate(normals, weights, pixel_um)
+    assert result.converged
+    assert result.iterations == fusion.integrate(normals, weights, 1.0).iterations
+    assert result.error_um <= fusion.TOLERANCE_PX * pixel_um
+    difference = result.height_um / pixel_um - expected.height_um
+    assert np.sqrt(np.nanmean(difference**2)) < fusion.TOLERANCE_PX
+
+
+def test_threads_are_given_back() -> None:
+    import numba
+
+    before = numba.get_num_threads()
+    fusion.fuse(**random_problem((20, 24), seed=8), pixel_um=PIXEL_UM)
+    assert numba.get_num_threads() == before
+
+
 def test_a_pixel_that_nothing_holds_is_missing() -> None:
     problem = plane_problem((20, 24), np.zeros((20, 24)))
     problem["height_um"] = np.zeros((20, 24))

@@ -9,8 +9,11 @@ bounds the height that is missing.
 from __future__ import annotations
 
 import math
+from collections.abc import Iterator
+from contextlib import contextmanager
 from dataclasses import dataclass
 
+import numba
 import numpy as np
 from numpy.typing import NDArray
 
@@ -20,6 +23,9 @@ from reliefscope.reconstruction.systems import System
 
 _WINDOW = 4
 """Iterations over which the rate of convergence is judged."""
+_SHARED = 500_000
+"""Pixels from which the work is worth several threads: each iteration is some dozens of short loops, and on a busy
+machine the threads wait for each other after every one."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -43,7 +49,29 @@ def solve(
 
     Stops when the estimated RMS error is at most ``tolerance_um`` or after ``maximum_iterations``.
     """
-    job = ensure_job(job)
+    with _threads(start_um.size):
+        return _solve(system, start_um, tolerance_um, maximum_iterations, ensure_job(job))
+
+
+@contextmanager
+def _threads(pixels: int) -> Iterator[None]:
+    """One thread for small images, those allowed for large ones."""
+    allowed = numba.get_num_threads()
+    if pixels < _SHARED:
+        numba.set_num_threads(1)
+    try:
+        yield
+    finally:
+        numba.set_num_threads(allowed)
+
+
+def _solve(
+    system: System,
+    start_um: NDArray[np.float64],
+    tolerance_um: float,
+    maximum_iterations: int,
+    job: Job,
+) -> Solution:
     multigrid = system.preconditioner()
     z = np.array(start_um, dtype=np.float64)
     applied = np.empty_like(z)

@@ -31,8 +31,13 @@ STABILISER = 0.1
 """Weight of the single differences beside their Sobel mean in the default form; see ``systems``."""
 MINIMUM_QUALITY = 0.01
 """Weight that an inpainted height keeps, so that a surface is defined where both methods are blind."""
-TOLERANCE_UM = 0.01
-"""Estimated RMS distance to the exact minimum at which the solver stops."""
+TOLERANCE_PX = 0.01
+"""Estimated RMS distance to the exact minimum at which the solver stops, in sizes of a pixel.
+
+Slopes have no unit, so the heights that they add up to grow with the pixel, and so must the distance: the work
+is the same for a micrograph and for a photograph of a statue.  The estimate holds for the softest mode and is
+cautious.
+"""
 MAXIMUM_ITERATIONS = 400
 
 Derivative = Literal["sobel_stabilised", "sobel", "forward"]
@@ -72,7 +77,7 @@ def fuse(
     lam: float = LAMBDA_RAD_PER_UM,
     derivative: Derivative = "sobel_stabilised",
     minimum_quality: float = MINIMUM_QUALITY,
-    tolerance_um: float = TOLERANCE_UM,
+    tolerance_um: float | None = None,
     maximum_iterations: int = MAXIMUM_ITERATIONS,
     job: Job | None = None,
 ) -> FusionResult:
@@ -97,8 +102,11 @@ def fuse(
         ``sobel``: eq. 13 to the letter.  ``forward``: differences of two neighbours.
     minimum_quality:
         Weight that every finite height keeps; 0 for the equations to the letter.
-    tolerance_um, maximum_iterations:
-        When the solver stops.
+    tolerance_um:
+        Estimated RMS distance to the exact minimum at which the solver stops, um; ``TOLERANCE_PX`` of a
+        pixel if left out.
+    maximum_iterations:
+        When the solver stops in any case.
     job:
         Progress and cancellation, checked per iteration.
 
@@ -125,7 +133,7 @@ def _solve(
     quality: NDArray[np.floating[Any]],
     pixel_um: float,
     derivative: Derivative,
-    tolerance_um: float,
+    tolerance_um: float | None,
     maximum_iterations: int,
     job: Job | None,
 ) -> FusionResult:
@@ -136,10 +144,9 @@ def _solve(
             "Neither a height nor a normal has any quality; there is nothing to make a surface from.",
             hint="Look at the quality maps: exposure, focus and the height range are likely causes.",
         )
+    tolerance = TOLERANCE_PX * pixel_um if tolerance_um is None else tolerance_um
     with ensure_job(job).stage("fusion", 1):
-        solution = conjugate_gradients.solve(
-            system, target_um, tolerance_um, maximum_iterations, job
-        )
+        solution = conjugate_gradients.solve(system, target_um, tolerance, maximum_iterations, job)
     if not solution.converged:
         _LOG.warning(
             "The fusion solver stopped after %d iterations, about %.3g um from the minimum.",
@@ -182,14 +189,15 @@ def integrate(
     pixel_um: float,
     *,
     derivative: Derivative = "sobel_stabilised",
-    tolerance_um: float = TOLERANCE_UM,
+    tolerance_um: float | None = None,
     maximum_iterations: int = MAXIMUM_ITERATIONS,
     job: Job | None = None,
 ) -> FusionResult:
     """Surface (H, W) um that follows the normals alone; its mean over the held pixels is zero.
 
-    ``normals`` (H, W, 3) and ``weights`` (H, W) as ``normals`` and ``q_ps`` of :func:`fuse`.  Parts
-    that no normal joins have each an offset of their own, which nothing can tell.
+    ``normals`` (H, W, 3), ``weights`` (H, W), the tolerance and the greatest number of iterations as
+    ``normals``, ``q_ps`` and those of :func:`fuse`.  Parts that no normal joins have each an offset of
+    their own, which nothing can tell.
     """
     flat = np.zeros(weights.shape)
     result = _solve(

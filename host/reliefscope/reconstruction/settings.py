@@ -58,7 +58,8 @@ class Settings(StrictModel):
     derivative: fusion.Derivative = "sobel_stabilised"
     """Form of the slope equations; ``sobel`` is eq. 13 to the letter."""
     minimum_quality: Fraction = fusion.MINIMUM_QUALITY
-    tolerance_um: Positive = fusion.TOLERANCE_UM
+    tolerance_um: Positive | None = None
+    """Estimated RMS distance to the exact minimum at which the solver stops; None: a hundredth of a pixel."""
 
     frames_in_memory_mb: Annotated[int, Field(ge=0)] = 1500
     """Runs whose frames take more, as float32, are read twice instead of kept."""
