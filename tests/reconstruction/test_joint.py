@@ -10,7 +10,7 @@ from reliefscope.errors import Cancelled, InvalidInputError
 from reliefscope.jobs import Job, Progress
 from reliefscope.reconstruction import joint
 from reliefscope.reconstruction.joint import candidate_heights, light_groups, match_jointly
-from reliefscope.reconstruction.joint_kernels import expand, score_tile_jointly, window_variance
+from reliefscope.reconstruction.joint_kernels import expand, score_tile_jointly
 from reliefscope.reconstruction.mvs import match_views
 from reliefscope.reconstruction.shifts import TAPS, plan_shifts
 

@@ -44,11 +44,11 @@ LARGE_WINDOW = 5
 """Windows in binned pixels: correlated, and averaged over."""
 STEP_PX = 0.33
 """Parallax, in binned pixels and against the mean view, between neighbouring candidate heights."""
-NOISE_SHARE = 0.3
+NOISE_SHARE = 0.05
 """Variance added to each window's in the denominator, as a share of the median window variance."""
-DARK_SHARE = 0.5
+DARK_SHARE = 0.1
 """Intensity added before the logarithm, as a share of the median intensity."""
-QUALITY_THRESHOLD = 0.15
+QUALITY_THRESHOLD = 0.3
 """Quality below which heights are better discarded (docs/explanation/default-method.md)."""
 LEAST_SIDE = 48
 """Binned images are at least so wide and high; smaller ones are matched as they are."""

@@ -6,8 +6,9 @@ correlation in its variance-of-sum form (:mod:`~reliefscope.reconstruction.ncc_s
     score = (var(sum_k t_k) - sum_k v_k) / ((K - 1) (sum_k v_k + noise))
 
 with the window variances ``v_k`` of the shifted views themselves: variances taken once and shifted would not
-know that interpolation blurs, and heights of whole shifts would win too often.  The score of a pixel is the mean over the channels and over a larger window of such scores: a small window
-that straddles a bright edge has one vote, whereas in one large window the edge would outweigh all texture.
+know that interpolation blurs, and heights of whole shifts would win too often.  The score of a pixel is the
+mean over the channels and over a larger window of such scores: a small window that straddles a bright edge
+has one vote, whereas in one large window the edge would outweigh all texture.
 
 All sums are float32 and direct, never running, on images whose mean was taken off.  A tile stays in the
 second-level cache.  The kernels release the interpreter lock and are single-threaded.
