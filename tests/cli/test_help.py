@@ -22,6 +22,7 @@ COMMANDS = [
     "doctor",
     "tui",
     "flash",
+    "light-probe",
     "link-test",
 ]
 HEAVY = [

@@ -23,6 +23,7 @@ from reliefscope.cli.commands import (
     diagnose,
     evaluate,
     flash,
+    light_probe,
     link_test,
     reconstruct,
     tui,
@@ -43,6 +44,7 @@ app.command("doctor", rich_help_panel="Start here")(diagnose.doctor)
 app.command("tui", rich_help_panel="Measure")(tui.tui)
 app.command("acquire", rich_help_panel="Measure")(acquire.acquire)
 app.command("import", rich_help_panel="Measure")(dataset.import_photographs)
+app.command("light-probe", rich_help_panel="Measure")(light_probe.light_probe)
 app.command("reconstruct", rich_help_panel="Process")(reconstruct.reconstruct)
 app.command("evaluate", rich_help_panel="Process")(evaluate.evaluate)
 app.command("info", rich_help_panel="Look after runs")(dataset.info)

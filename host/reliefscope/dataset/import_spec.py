@@ -4,12 +4,14 @@ from __future__ import annotations
 
 import math
 import string
-from typing import Annotated, Literal
+from pathlib import Path
+from typing import Annotated, Any, Literal
 
 from pydantic import Field, model_validator
 
 from reliefscope.dataset.spec import ImportedLight, ImportedView, Vector2, Vector3
-from reliefscope.models.base import StrictModel
+from reliefscope.errors import InvalidInputError
+from reliefscope.models.base import StrictModel, parse_model, read_yaml
 from reliefscope.models.instrument import Sensor
 
 Positive = Annotated[float, Field(gt=0)]
@@ -31,6 +33,14 @@ class LightEntry(StrictModel):
     """Toward the light, of any length."""
     power: Positive = 1.0
     name: str | None = None
+
+
+class LightList(StrictModel):
+    """Directions of lights in a file of their own, as ``reliefscope light-probe --out`` writes them."""
+
+    schema_version: Literal[1] = 1
+    lights: Annotated[tuple[LightEntry, ...], Field(min_length=1)]
+    y_axis: Literal["up", "down"] = "up"
 
 
 class FrameEntry(StrictModel):
@@ -205,3 +215,54 @@ class PhotographSet(StrictModel):
                 direction = (x / length, sign * y / length, z / length)
             lights.append(ImportedLight(name=name, direction=direction, power=light.power))
         return tuple(lights)
+
+
+def load_photograph_set(path: Path) -> PhotographSet:
+    """Description of a set; ``lights`` may be the name of a :class:`LightList` file beside it.
+
+    Raises
+    ------
+    InvalidInputError
+        If a file is absent or wrong; the message names file and key.
+    """
+    return parse_model(PhotographSet, _with_lights(path), str(path))
+
+
+def load_lights(path: Path) -> LightList:
+    """Lights of a :class:`LightList` file, or of the description of a set of photographs, with y up.
+
+    Raises
+    ------
+    InvalidInputError
+        If the file is absent or wrong, or gives no lights.
+    """
+    content = _with_lights(path)
+    if isinstance(content, dict):
+        content = {key: content[key] for key in LightList.model_fields if key in content}
+    listed = parse_model(LightList, content, str(path))
+    if listed.y_axis == "up":
+        return listed
+    return LightList(lights=tuple(_upside_down(light) for light in listed.lights))
+
+
+def _with_lights(path: Path) -> Any:
+    """Content of a YAML file, with the lights of the file that ``lights`` may name."""
+    content = read_yaml(path)
+    if not isinstance(content, dict) or not isinstance(content.get("lights"), str):
+        return content
+    source = path.parent / content["lights"]
+    if source.resolve() == path.resolve():
+        raise InvalidInputError(
+            f"{path} names itself as the file of its lights.", hint="Correct `lights`."
+        )
+    lights = parse_model(LightList, read_yaml(source), str(source))
+    same = lights.y_axis == content.get("y_axis", "up")
+    entries = lights.lights if same else tuple(_upside_down(light) for light in lights.lights)
+    return content | {"lights": [entry.model_dump() for entry in entries]}
+
+
+def _upside_down(light: LightEntry) -> LightEntry:
+    if light.direction is None:
+        return light
+    x, y, z = light.direction
+    return light.model_copy(update={"direction": (x, -y, z)})

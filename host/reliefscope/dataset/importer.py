@@ -12,14 +12,14 @@ import numpy as np
 from numpy.typing import NDArray
 
 from reliefscope.dataset.durable import disk_error, write_file
-from reliefscope.dataset.import_spec import PhotographSet
+from reliefscope.dataset.import_spec import PhotographSet, load_photograph_set
+from reliefscope.dataset.pictures import read_picture
 from reliefscope.dataset.records import FrameRecord, SourceFile, pixel_hash
 from reliefscope.dataset.run import MASK_FILE, Run
 from reliefscope.dataset.spec import FrameFormat, ImportedSpec, RunSpec
 from reliefscope.dataset.writer import RunWriter, check_output, now, software_name
 from reliefscope.errors import InvalidInputError
 from reliefscope.jobs import Job, ensure_job
-from reliefscope.models.base import load_model
 from reliefscope.units import RawImage
 
 LUMINANCE_WEIGHTS = np.array([0.2126, 0.7152, 0.0722], dtype=np.float32)
@@ -48,7 +48,7 @@ def import_photographs(description: Path, out: Path, job: Job | None = None) -> 
     OutputExistsError
         If ``out`` exists.
     """
-    photographs = load_model(PhotographSet, description)
+    photographs = load_photograph_set(description)
     folder = description.parent / photographs.folder
     files = photographs.files()
     check_output(out)
@@ -98,41 +98,14 @@ def import_photographs(description: Path, out: Path, job: Job | None = None) -> 
 
 def _read(folder: Path, name: str, photographs: PhotographSet) -> _Photograph:
     path = folder / name
-    try:
-        data = path.read_bytes()
-    except OSError as error:
+    pixels, data = read_picture(
+        path, hint="Check `folder`, `frames` or `pattern`, and `first` in the description."
+    )
+    if pixels.ndim == 3 and photographs.sensor == "bayer_rggb":
         raise InvalidInputError(
-            f"{path} cannot be read: {error.strerror or error}.",
-            hint="Check `folder`, `frames` or `pattern`, and `first` in the description.",
-        ) from error
-    # Decoded from memory: the library does not open paths with letters beyond ASCII everywhere.
-    flags = cv2.IMREAD_UNCHANGED
-    decoded = cv2.imdecode(np.frombuffer(data, dtype=np.uint8), flags) if data else None
-    if decoded is None:
-        raise InvalidInputError(
-            f"{path} is not a picture that can be read, or it is truncated.",
-            hint="Give PNG, TIFF or JPEG.",
+            f"{path} is a colour picture, but the description says `sensor: bayer_rggb`.",
+            hint="Give the raw mosaic as a grey picture, or say `sensor: mono`.",
         )
-    if decoded.dtype == np.uint8:
-        pixels: RawImage = decoded.astype(np.uint8, copy=False)
-    elif decoded.dtype == np.uint16:
-        pixels = decoded.astype(np.uint16, copy=False)
-    else:
-        raise InvalidInputError(
-            f"{path} holds {decoded.dtype} pixels.", hint="Give 8 or 16 bits per channel."
-        )
-    if pixels.ndim == 3:
-        if pixels.shape[2] != 3:
-            raise InvalidInputError(
-                f"{path} has {pixels.shape[2]} channels.",
-                hint="Save it without transparency: grey, or red, green and blue.",
-            )
-        if photographs.sensor == "bayer_rggb":
-            raise InvalidInputError(
-                f"{path} is a colour picture, but the description says `sensor: bayer_rggb`.",
-                hint="Give the raw mosaic as a grey picture, or say `sensor: mono`.",
-            )
-        pixels = pixels[:, :, ::-1].copy()
     top = (1 << photographs.bit_depth) - 1
     if int(pixels.max()) > top:
         raise InvalidInputError(

@@ -15,6 +15,7 @@ from reliefscope.microscope.demonstration import DemoResult, demo
 from reliefscope.microscope.instruments import Instrument, default_devices, resolve_instrument
 from reliefscope.microscope.live import Microscope
 from reliefscope.microscope.places import fresh_path
+from reliefscope.microscope.probing import calibrate_lights
 from reliefscope.microscope.stored import (
     Evaluation,
     Outcome,
@@ -33,6 +34,7 @@ __all__ = [
     "Outcome",
     "StoredRun",
     "bundle_run",
+    "calibrate_lights",
     "default_devices",
     "demo",
     "evaluate_run",

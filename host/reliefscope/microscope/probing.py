@@ -1,0 +1,94 @@
+"""Lights calibrated from photographs of mirroring spheres."""
+
+from __future__ import annotations
+
+from pathlib import Path
+from typing import TYPE_CHECKING
+
+import numpy as np
+from numpy.typing import NDArray
+
+from reliefscope.dataset.import_spec import load_lights
+from reliefscope.errors import DatasetError, InvalidInputError, OutputExistsError
+from reliefscope.jobs import Job
+from reliefscope.models.base import load_model
+
+if TYPE_CHECKING:
+    from reliefscope.calibration.probe_photographs import ProbedLights
+
+
+def calibrate_lights(
+    description: Path | str,
+    *,
+    compare: Path | str | None = None,
+    out: Path | str | None = None,
+    job: Job | None = None,
+) -> ProbedLights:
+    """Directions of the lights from photographs of spheres, by the YAML file ``description``.
+
+    Parameters
+    ----------
+    description:
+        Spheres and files, see docs/guide/other-instruments.
+    compare:
+        YAML file with the key ``lights``, such as an import description: directions to compare with.
+    out:
+        YAML file to write; an import description takes it as ``lights: FILE``.
+    job:
+        Receives progress; may cancel.
+
+    Raises
+    ------
+    InvalidInputError
+        A wrong description, or a photograph without a highlight; nothing was written.
+    OutputExistsError
+        ``out`` exists.
+    """
+    from reliefscope.calibration.probe_photographs import LightProbeSet, probe_lights
+
+    source = Path(description)
+    probes = load_model(LightProbeSet, source)
+    given = None if compare is None else _given(Path(compare))
+    place = None if out is None else Path(out)
+    if place is not None and place.exists():
+        raise _exists(place)
+    lights = probe_lights(probes, source.parent, given, job)
+    if place is not None:
+        _write(lights, place, source)
+    return lights
+
+
+def _given(path: Path) -> NDArray[np.float64]:
+    listed = load_lights(path).lights
+    known = [light.direction for light in listed if light.direction is not None]
+    if len(known) < len(listed):
+        raise InvalidInputError(
+            f"{path} gives no direction for {len(listed) - len(known)} of its lights.",
+            hint="Give `direction: [x, y, z]` for every light to compare with.",
+        )
+    return np.array(known)
+
+
+def _write(lights: ProbedLights, place: Path, source: Path) -> None:
+    rows = "".join(
+        f"  - {{direction: [{', '.join(f'{value:.5f}' for value in vector)}]}}  # {photograph}\n"
+        for vector, photograph in zip(lights.directions, lights.photographs, strict=True)
+    )
+    text = f"# Toward the lights, from {source.name}\ny_axis: up\nlights:\n{rows}"
+    try:
+        place.parent.mkdir(parents=True, exist_ok=True)
+        with place.open("x", encoding="utf-8") as stream:
+            stream.write(text)
+    except FileExistsError:
+        raise _exists(place) from None
+    except OSError as error:
+        raise DatasetError(
+            f"{place} could not be written: {error.strerror or error}.",
+            hint="Check the disk and the permissions of the folder.",
+        ) from error
+
+
+def _exists(place: Path) -> OutputExistsError:
+    return OutputExistsError(
+        f"{place} exists already; nothing was changed.", hint="Give `--out` another name."
+    )
