@@ -3,10 +3,10 @@ VENV ?= .venv
 BIN := $(VENV)/bin
 export VENV
 
-.PHONY: help demo test lint format generate bench soak docs clean
+.PHONY: help demo test lint format generate bench soak fuzz firmware firmware-test docs clean
 
 help:  ## show this list
-	@grep -hE '^[a-z]+:.*##' $(MAKEFILE_LIST) | sed -E 's/:.*## /\t/' | expand -t 12
+	@grep -hE '^[a-z-]+:.*##' $(MAKEFILE_LIST) | sed -E 's/:.*## /\t/' | expand -t 12
 
 demo:  ## measure the fiducial on the simulated instrument, full size
 	@tools/bootstrap
@@ -43,6 +43,17 @@ bench:  ## benchmarks beside their peers, in one run
 soak:  ## the long tests
 	@tools/bootstrap test lint
 	$(BIN)/python -m pytest -m soak $(PYTEST_OPTIONS)
+
+firmware:  ## every firmware image that this machine can build; FIRMWARE=all fetches the Teensy's tools, too
+	@tools/bootstrap test lint
+	tools/firmware $(FIRMWARE)
+
+firmware-test:  ## the firmware's tests: with sanitizers here, as ARM code in an emulator where there is one
+	@tools/bootstrap test lint
+	$(BIN)/python -m pytest tests/firmware tests/e2e $(PYTEST_OPTIONS)
+
+fuzz:  ## fuzz the firmware's core for FUZZ_SECONDS (60)
+	@tools/fuzz
 
 docs:  ## the manual as web pages, in build/docs
 	@tools/bootstrap docs test lint

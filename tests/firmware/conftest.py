@@ -14,6 +14,8 @@ from filelock import FileLock
 from tests.firmware.compiled import load
 from tests.support import REPOSITORY
 
+collect_ignore = ["test_custom_runner.py"]  # PlatformIO's, not ours
+
 
 @dataclass(frozen=True)
 class FirmwareBuild:
