@@ -42,13 +42,15 @@ BINNING = 2
 SMALL_WINDOW = 3
 LARGE_WINDOW = 5
 """Windows in binned pixels: correlated, and averaged over."""
+LARGE_WINDOW_ALONE = 9
+"""Window that is averaged over where there is one channel: fewer samples vote."""
 STEP_PX = 0.33
 """Parallax, in binned pixels and against the mean view, between neighbouring candidate heights."""
 NOISE_SHARE = 0.05
 """Variance added to each window's in the denominator, as a share of the median window variance."""
 DARK_SHARE = 0.1
 """Intensity added before the logarithm, as a share of the median intensity."""
-QUALITY_THRESHOLD = 0.3
+QUALITY_THRESHOLD = 0.15
 """Quality below which heights are better discarded (docs/explanation/default-method.md)."""
 LEAST_SIDE = 48
 """Binned images are at least so wide and high; smaller ones are matched as they are."""
@@ -103,7 +105,7 @@ def match_jointly(
     *,
     binning: int = BINNING,
     small_window: int = SMALL_WINDOW,
-    large_window: int = LARGE_WINDOW,
+    large_window: int | None = None,
 ) -> MvsResult:
     """Height and quality of every pixel from all views of several groups of lights.
 
@@ -120,7 +122,8 @@ def match_jointly(
     job:
         Progress (stage ``match``, per tile) and cancellation.
     binning, small_window, large_window:
-        See :data:`BINNING`, :data:`SMALL_WINDOW`, :data:`LARGE_WINDOW`; the windows are odd.
+        See :data:`BINNING`, :data:`SMALL_WINDOW`, :data:`LARGE_WINDOW`; the windows are odd.  None:
+        :data:`LARGE_WINDOW` of several channels, :data:`LARGE_WINDOW_ALONE` of one.
 
     Raises
     ------
@@ -130,6 +133,8 @@ def match_jointly(
     """
     stack = np.asarray(channels, dtype=np.float32)
     stack = stack[None] if stack.ndim == 3 else stack
+    if large_window is None:
+        large_window = LARGE_WINDOW if len(stack) > 1 else LARGE_WINDOW_ALONE
     low, high = range_um
     if not (math.isfinite(low) and math.isfinite(high) and low < high):
         raise InvalidInputError(
