@@ -42,7 +42,7 @@ BINNING = 2
 SMALL_WINDOW = 3
 LARGE_WINDOW = 5
 """Windows in binned pixels: correlated, and averaged over."""
-LARGE_WINDOW_ALONE = 9
+LARGE_WINDOW_ALONE = 7
 """Window that is averaged over where there is one channel: fewer samples vote."""
 STEP_PX = 0.33
 """Parallax, in binned pixels and against the mean view, between neighbouring candidate heights."""
