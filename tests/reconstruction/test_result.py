@@ -40,6 +40,28 @@ def test_a_result_comes_back_as_it_was(tmp_path: Path) -> None:
     assert result.list_results(tmp_path) == ["paper"]
 
 
+def test_shares_are_of_the_valid_pixels(tmp_path: Path) -> None:
+    """Half the image is masked: a perfect other half is a coverage of 1, not of 0.5."""
+    valid = np.zeros((7, 9), bool)
+    valid[:, 4:] = True
+    height = np.where(valid, np.float32(1), np.float32(np.nan))
+    masked = Reconstruction(
+        height_um=height,
+        pixel_um=1.0,
+        settings=Settings(),
+        kind="stereo",
+        stereo_quality=np.where(valid, np.float32(0.7), np.float32(0)),
+        valid=valid,
+    )
+    facts = masked.summary()
+    assert facts["height_known"] == facts["stereo_accepted"] == 1.0
+    assert facts["stereo_quality_median"] == pytest.approx(0.7)
+    result.save_result(masked, tmp_path, "half")
+    loaded = result.load_result(tmp_path, "half")
+    np.testing.assert_array_equal(loaded.valid, valid)
+    assert loaded.summary() == facts
+
+
 def test_nothing_is_replaced_unasked(tmp_path: Path) -> None:
     result.save_result(example(), tmp_path, "one")
     with pytest.raises(OutputExistsError, match="nothing was changed") as caught:

@@ -74,6 +74,36 @@ def test_only_what_is_there_is_drawn(example: Reconstruction, tmp_path: Path) ->
     write_pictures(nothing, tmp_path)
 
 
+def test_what_the_mask_leaves_out_is_blank(example: Reconstruction, tmp_path: Path) -> None:
+    valid = np.zeros((60, 80), bool)
+    valid[:, 40:] = True
+    masked = replace(example, valid=valid, height_um=np.where(valid, example.height_um, np.nan))
+    before = {path.stem: cv2.imread(str(path)) for path in write_pictures(example, tmp_path / "a")}
+    after = {path.stem: cv2.imread(str(path)) for path in write_pictures(masked, tmp_path / "b")}
+    for name in ("height_map", "normals", "slant", "quality_stereo", "quality_photometric"):
+        blank = (237, 234, 232)  # blue first
+        left, right = slice(100, 104), slice(145, 149)
+        row = before[name].shape[0] // 2
+        assert (after[name][row, left] == blank).all(), name
+        assert not (before[name][row, left] == blank).all(), name
+        assert (after[name][row, right] == before[name][row, right]).all(), name
+
+
+def test_large_things_are_shown_in_millimetres(
+    example: Reconstruction, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    from matplotlib.axes import Axes
+
+    labels: list[str] = []
+    monkeypatch.setattr(Axes, "set_xlabel", lambda _, text, **__: labels.append(text))
+    statue = replace(example, pixel_um=400.0, height_um=example.height_um * 400)
+    write_pictures(statue, tmp_path / "statue")
+    assert set(labels) == {"x (mm)"}
+    labels.clear()
+    write_pictures(example, tmp_path / "fiducial")
+    assert set(labels) == {"x (µm)"}
+
+
 def test_oblique_view_hides_what_lies_behind_a_wall() -> None:
     """A wall of 40 um across the middle hides 40 tan(30 deg) um of the floor behind it."""
     height = np.zeros((100, 40), np.float32)

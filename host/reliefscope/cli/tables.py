@@ -119,7 +119,17 @@ def show_demo(console: Console, result: DemoResult) -> None:
 
 def show_reconstruction(console: Console, outcome: Outcome) -> None:
     """What a reconstruction found, and where it lies."""
-    show_facts(console, f"Reconstruction {outcome.name}", outcome.facts())
+    facts = dict(outcome.facts())
+    settings = outcome.reconstruction.settings
+    for name, limit in (
+        ("height_known", None),
+        ("stereo_accepted", settings.stereo_quality),
+        ("photometric_accepted", settings.photometric_quality),
+    ):
+        if name in facts:
+            least = "" if limit is None else f", quality {limit:g} or better"
+            facts[name] = f"{facts[name]:.1%} of the valid pixels{least}"
+    show_facts(console, f"Reconstruction {outcome.name}", facts)
     show_stages(console, outcome.stages_s, outcome.total_s)
     _show_places(console, outcome)
 

@@ -176,6 +176,7 @@ class _Pipeline:
             photometric_quality=solved.quality if solved else None,
             residual=solved.residual if solved else None,
             micrograph=micrograph,
+            valid=self._mask,
             figures=figures,
             timings_s=self._timings,
             peak_memory_mb=peak_memory_mb(),

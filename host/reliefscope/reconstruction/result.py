@@ -23,7 +23,7 @@ from numpy.typing import NDArray
 from reliefscope import __version__
 from reliefscope.errors import DatasetError, InvalidInputError, OutputExistsError
 from reliefscope.reconstruction.settings import Settings
-from reliefscope.units import FloatImage
+from reliefscope.units import BoolImage, FloatImage
 
 SCHEMA_VERSION = 1
 ARRAYS_FILE = "arrays.npz"
@@ -55,6 +55,8 @@ class Reconstruction:
         As solved, before anything is discarded; normals are (H, W, 3).
     micrograph:
         Linear luminance to look at: the centre view under all light where it was taken.
+    valid:
+        (H, W) bool, pixels that the run's mask leaves; None: all.  Shares are of these.
     figures:
         Numbers about the solution, such as the solver's iterations.
     timings_s, peak_memory_mb:
@@ -73,6 +75,7 @@ class Reconstruction:
     photometric_quality: FloatImage | None = None
     residual: FloatImage | None = None
     micrograph: FloatImage | None = None
+    valid: BoolImage | None = None
     figures: Mapping[str, float] = field(default_factory=dict)
     timings_s: Mapping[str, float] = field(default_factory=dict)
     peak_memory_mb: float = 0.0
@@ -100,28 +103,36 @@ class Reconstruction:
             "kind": self.kind,
             "size_px": [columns, rows],
             "pixel_um": self.pixel_um,
-            "height_known": _share(np.isfinite(self.height_um)),
+            "height_known": self._share(np.isfinite(self.height_um)),
             "height_1_to_99_percent_um": [round(float(low), 3), round(float(high), 3)],
         }
         if self.stereo_quality is not None:
             accepted = self.stereo_quality >= self.settings.stereo_quality
-            facts["stereo_accepted"] = _share(accepted)
-            facts["stereo_quality_median"] = round(float(np.median(self.stereo_quality)), 4)
+            facts["stereo_accepted"] = self._share(accepted)
+            facts["stereo_quality_median"] = self._median(self.stereo_quality)
         if self.photometric_quality is not None:
             accepted = self.photometric_quality >= self.settings.photometric_quality
-            facts["photometric_accepted"] = _share(accepted)
-            facts["photometric_quality_median"] = round(
-                float(np.median(self.photometric_quality)), 4
-            )
+            facts["photometric_accepted"] = self._share(accepted)
+            facts["photometric_quality_median"] = self._median(self.photometric_quality)
         facts.update({name: float(f"{value:.6g}") for name, value in self.figures.items()})
         facts["peak_memory_mb"] = round(self.peak_memory_mb)
         return facts
+
+    def _share(self, chosen: NDArray[np.bool_]) -> float:
+        return round(float(self._among(chosen).mean()), 4)
+
+    def _median(self, quality: FloatImage) -> float:
+        return round(float(np.median(self._among(quality))), 4)
+
+    def _among(self, values: NDArray[Any]) -> NDArray[Any]:
+        """Values of the valid pixels."""
+        return values if self.valid is None else values[self.valid]
 
 
 _ARRAYS = tuple(
     item.name
     for item in fields(Reconstruction)
-    if item.name == "height_um" or item.type == "FloatImage | None"
+    if item.name == "height_um" or item.type in ("FloatImage | None", "BoolImage | None")
 )
 
 
@@ -222,7 +233,7 @@ def load_result(run_path: Path, name: str) -> Reconstruction:
                 "--overwrite`.",
             )
         with (folder / ARRAYS_FILE).open("rb") as stream, np.load(stream) as archive:
-            arrays: dict[str, NDArray[np.float32]] = {key: archive[key] for key in archive.files}
+            arrays: dict[str, Any] = {key: archive[key] for key in archive.files}
         return Reconstruction(
             pixel_um=document["pixel_um"],
             settings=Settings.model_validate(document["settings"]),
@@ -253,10 +264,6 @@ def _document(reconstruction: Reconstruction) -> dict[str, Any]:
         "timings_s": dict(reconstruction.timings_s),
         "peak_memory_mb": reconstruction.peak_memory_mb,
     }
-
-
-def _share(mask: NDArray[np.bool_]) -> float:
-    return round(float(mask.mean()), 4)
 
 
 def _sync(stream: Any) -> None:

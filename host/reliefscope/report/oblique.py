@@ -39,10 +39,9 @@ def shade(height_um: FloatImage, pixel_um: float, relief: float = 1.0) -> FloatI
     lamp = np.maximum(normals @ _LIGHT.astype(np.float32), 0.0)
     fill = np.maximum(normals @ _FILL.astype(np.float32), 0.0)
     depth = np.zeros_like(height_um)
-    for sigma_um in (6.0, 24.0):
-        sigma = sigma_um / pixel_um
+    for sigma in (4.0, 16.0):
         around = cv2.GaussianBlur(height_um, (0, 0), sigma)
-        depth += np.clip((around - height_um) / sigma_um, 0.0, 1.0)
+        depth += np.clip((around - height_um) / (sigma * pixel_um), 0.0, 1.0)
     light = (_BASE + _KEY * lamp + _SECOND * fill) / (1.0 + 0.55 * depth)
     return light.astype(np.float32)
 

@@ -14,6 +14,7 @@ from typing import TYPE_CHECKING
 import cv2
 import numpy as np
 from numpy.typing import NDArray
+from scipy.ndimage import distance_transform_edt
 
 from reliefscope.errors import DatasetError
 from reliefscope.jobs import Job, ensure_job
@@ -33,6 +34,9 @@ _WIDTH_PX = 1100
 _DPI = 130
 _MOST_RELIEF = 0.5
 """Height range over image size above which the oblique view flattens heights to stay in the picture."""
+_MILLIMETRES_FROM_UM = 5000.0
+_TALLEST_IN = 9.6
+"""Height of the oblique view in the overview, inches."""
 _BLANK = np.array([232, 234, 237], np.uint8)
 _INK = "#22262b"
 _FONT_SIZE = 9.0
@@ -114,8 +118,7 @@ class _Reduced:
         self.span = _span(self.height)
         deepest = _MOST_RELIEF * min(self._size) * self.pixel_um
         self.relief = min(1.0, deepest / (self.span[1] - self.span[0]))
-        base = np.float32(self.span[0])
-        self.filled = np.where(self.known, self.height, base)
+        self.filled = _filled(self.height, self.known)
         self.light = shade(self.filled, self.pixel_um)
         self.stereo = _maybe(reconstruction.stereo_height_um, self._reduce)
         self._stereo_quality = _maybe(reconstruction.stereo_quality, self._reduce)
@@ -123,10 +126,17 @@ class _Reduced:
         self._photometric_quality = _maybe(reconstruction.photometric_quality, self._reduce)
         self._albedo = _maybe(reconstruction.albedo, self._reduce)
         self.micrograph = _maybe(reconstruction.micrograph, self._reduce)
+        if reconstruction.valid is not None:
+            outside = self._reduce(reconstruction.valid.astype(np.float32)) < 0.5
+            for image in (self.stereo, self._stereo_quality, self._photometric_quality):
+                if image is not None:
+                    image[outside] = np.nan
+            if self.normals is not None:
+                self.normals[outside] = np.nan
 
     def _reduce(self, image: FloatImage) -> FloatImage:
         if image.shape[1::-1] == self._size:
-            return image
+            return image.copy()
         # where some of the pixels under one are missing it is the mean of the others
         known = np.isfinite(image).astype(np.float32)
         total = cv2.resize(np.nan_to_num(image), self._size, interpolation=cv2.INTER_AREA)
@@ -142,7 +152,7 @@ class _Reduced:
         rgb = np.where(self.known[..., None], np.clip(lit, 0, 255), _BLANK).astype(np.uint8)
         titles = {"fused": "Fused height", "stereo": "Height by stereo", "integrated": "Relief"}
         title = titles.get(self._kind, "Height")
-        return _Map(title, rgb, "height (µm)", "viridis", *self.span)
+        return self._heights(title, rgb)
 
     def height_map(self) -> _Map:
         """Stereo heights as matched, low quality left blank."""
@@ -150,13 +160,12 @@ class _Reduced:
         assert self._stereo_quality is not None
         kept = self._stereo_quality >= self._settings.stereo_quality
         height = np.where(kept, self.stereo, np.float32(np.nan))
-        return _Map(
-            "Stereo height",
-            _coloured(height, self.span, "viridis"),
-            "height (µm)",
-            "viridis",
-            *self.span,
-        )
+        return self._heights("Stereo height", _coloured(height, self.span, "viridis"))
+
+    def _heights(self, title: str, rgb: Rgb) -> _Map:
+        name, factor = _unit(max(abs(value) for value in self.span))
+        low, high = (factor * value for value in self.span)
+        return _Map(title, rgb, f"height ({name})", "viridis", low, high)
 
     def quality_stereo(self) -> _Map:
         """Peak minus median of the mean correlation."""
@@ -211,15 +220,42 @@ class _Reduced:
         background = (0.955, 0.96, 0.968)
         low, high = self.span
         spare = 0.03 * (high - low)  # single wild pixels are not drawn as towers
+        box = _box(self.known)
         image = render_oblique(
-            np.clip(self.filled, low - spare, high + spare),
-            colour.astype(np.float32),
+            np.clip(self.filled, low - spare, high + spare)[box],
+            colour.astype(np.float32)[box],
             self.pixel_um,
             relief=self.relief,
-            known=self.known,
+            known=self.known[box],
             background=background,
         )
         return (255 * np.clip(image, 0, 1) + 0.5).astype(np.uint8)
+
+
+def _unit(length_um: float) -> tuple[str, float]:
+    """Unit to show lengths like this one in, and what micrometres are multiplied by."""
+    return ("mm", 1e-3) if length_um >= _MILLIMETRES_FROM_UM else ("µm", 1.0)
+
+
+def _box(known: BoolImage) -> tuple[slice, slice]:
+    """Rows and columns with known pixels, and a few around them; all where none is known."""
+    if not known.any():
+        return slice(None), slice(None)
+    rows, columns = (np.flatnonzero(known.any(axis=axis)) for axis in (1, 0))
+    room = 1 + known.shape[1] // 50
+    return (
+        slice(max(0, int(rows[0]) - room), int(rows[-1]) + 1 + room),
+        slice(max(0, int(columns[0]) - room), int(columns[-1]) + 1 + room),
+    )
+
+
+def _filled(height: FloatImage, known: BoolImage) -> FloatImage:
+    """Heights with the nearest known one where one is missing, so that edges are lit as what they belong to."""
+    if known.all() or not known.any():
+        return np.nan_to_num(height)
+    nearest = distance_transform_edt(~known, return_distances=False, return_indices=True)
+    filled: FloatImage = height[tuple(nearest)]
+    return filled
 
 
 def _maybe(
@@ -266,8 +302,9 @@ def _save_map(image: _Map, extent_um: Extent, path: Path) -> Path:
     figure = Figure(figsize=size, dpi=_DPI, facecolor="white")
     axes = figure.add_axes((0.7 / size[0], 0.52 / size[1], width / size[0], height / size[1]))
     _draw(axes, image, extent_um, _FONT_SIZE)
-    axes.set_xlabel("x (µm)", color=_INK, fontsize=_FONT_SIZE)
-    axes.set_ylabel("y (µm)", color=_INK, fontsize=_FONT_SIZE, labelpad=1)
+    name, _ = _unit(2 * extent_um[1])
+    axes.set_xlabel(f"x ({name})", color=_INK, fontsize=_FONT_SIZE)
+    axes.set_ylabel(f"y ({name})", color=_INK, fontsize=_FONT_SIZE, labelpad=1)
     if image.unit:
         slot = ((0.84 + width) / size[0], 0.52 / size[1], 0.16 / size[0], height / size[1])
         _bar(figure, figure.add_axes(slot), image, _FONT_SIZE)
@@ -275,7 +312,10 @@ def _save_map(image: _Map, extent_um: Extent, path: Path) -> Path:
 
 
 def _draw(axes: Axes, image: _Map, extent_um: Extent, font_size: float) -> None:
-    axes.imshow(image.rgb, extent=extent_um, interpolation="antialiased", aspect="equal")
+    _, factor = _unit(2 * extent_um[1])
+    left, right, bottom, top = (factor * edge for edge in extent_um)
+    extent = (left, right, bottom, top)
+    axes.imshow(image.rgb, extent=extent, interpolation="antialiased", aspect="equal")
     axes.set_title(image.title, loc="left", fontsize=font_size * 1.15, color=_INK, pad=5)
     axes.tick_params(colors=_INK, length=3, width=0.6, labelsize=font_size)
     for spine in axes.spines.values():
@@ -297,28 +337,31 @@ def _overview(maps: dict[str, _Map], oblique: Rgb, relief: float, extent_um: Ext
     """The steps of a reconstruction side by side, after the paper's Fig. 6, above the oblique view."""
     from matplotlib.figure import Figure
 
-    order = ("micrograph", "height_map", "quality_stereo", "slant", "quality_photometric")
+    order = ["micrograph", "height_map", "quality_stereo", "slant", "quality_photometric"]
+    if "height_map" not in maps:
+        order.insert(1, "normals")
     chosen = [maps[name] for name in order if name in maps]
     chosen += [image for name, image in maps.items() if name in ("fused", "stereo", "integrated")]
+    across = 3 if len(chosen) > 5 else len(chosen)
     width, pitch, left, gap = 3.05, 4.15, 0.5, 0.62
     height = width * chosen[0].rgb.shape[0] / chosen[0].rgb.shape[1]
-    wide = 3 * pitch - 0.55
+    room = wide = across * pitch - 0.55
     tall = wide * oblique.shape[0] / oblique.shape[1]
-    if tall > wide:
-        tall, wide = wide, wide * wide / tall
-    rows = -(-len(chosen) // 3)
-    size = (left + 3 * pitch, rows * (height + gap) + tall + 0.55)
+    if tall > _TALLEST_IN:
+        tall, wide = _TALLEST_IN, wide * _TALLEST_IN / tall
+    rows = -(-len(chosen) // across)
+    size = (left + across * pitch, rows * (height + gap) + tall + 0.55)
     figure = Figure(figsize=size, dpi=_DPI, facecolor="white")
     for index, image in enumerate(chosen):
-        x = left + (index % 3) * pitch
-        y = size[1] - (index // 3 + 1) * (height + gap) + 0.3
+        x = left + (index % across) * pitch
+        y = size[1] - (index // across + 1) * (height + gap) + 0.3
         axes = figure.add_axes((x / size[0], y / size[1], width / size[0], height / size[1]))
         _draw(axes, _halved(image), extent_um, _FONT_SIZE)
         axes.annotate(
-            "µm",
+            _unit(2 * extent_um[1])[0],
             xy=(1.0, 0.0),
             xycoords="axes fraction",
-            xytext=(4.0, -11.0),
+            xytext=(6.0, -14.0),
             textcoords="offset points",
             color=_INK,
             fontsize=_FONT_SIZE,
@@ -326,7 +369,8 @@ def _overview(maps: dict[str, _Map], oblique: Rgb, relief: float, extent_um: Ext
         if image.unit:
             slot = ((x + width + 0.08) / size[0], y / size[1], 0.1 / size[0], height / size[1])
             _bar(figure, figure.add_axes(slot), image, _FONT_SIZE)
-    axes = figure.add_axes((left / size[0], 0.12 / size[1], wide / size[0], tall / size[1]))
+    begin = left + (room - wide) / 2
+    axes = figure.add_axes((begin / size[0], 0.12 / size[1], wide / size[0], tall / size[1]))
     axes.imshow(oblique, interpolation="antialiased", aspect="auto")
     axes.set_axis_off()
     flattened = "" if relief == 1.0 else f", heights × {relief:.2f}"
