@@ -368,6 +368,12 @@ def test_preflight_refuses_before_anything_moves(tmp_path: Path) -> None:
         weak.limits = lambda: replace(bench.device.limits(), led_on_time_us=10_000)
         with pytest.raises(InvalidInputError, match="longer than an LED may be on"):
             _refused(bench, out, device=weak)
+        weak.limits = lambda: replace(bench.device.limits(), led_period_us=333)
+        with pytest.raises(InvalidInputError, match="not a whole number"):
+            _refused(bench, out, device=weak)
+        weak.limits = lambda: replace(bench.device.limits(), led_level_step=4001)
+        with pytest.raises(InvalidInputError, match="cannot make"):
+            _refused(bench, out, device=weak)
         with pytest.raises(InvalidInputError, match="drives 2 LEDs"):
             _refused(bench, out, device=OtherDevice(bench.device, leds=2))
         shut = Aperture(name="shut", bitmap=np.zeros((64, 128), dtype=bool))

@@ -246,6 +246,14 @@ def test_events_over_a_bad_link(twin):
     assert device.counters().events_resent > 0
 
 
+def test_led_correction_survives(twin):
+    device = twin()
+    assert device.led_correction().factors == b"\xff" * 48
+    factors = bytes(range(200, 248))
+    assert device.store_led_correction(factors).factors == factors
+    assert device.led_correction().factors == factors
+
+
 def test_reset_in_a_sequence_is_reported_with_its_cause(twin):
     device = twin("brown_out_at:3")
     prepare(device, [Step(0, 0, 10, 0, 10_000)])

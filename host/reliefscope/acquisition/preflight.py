@@ -94,6 +94,18 @@ def check_device(device: Device, plan: Plan) -> None:
                 f"allows {limits.level_budget}.",
                 hint="Lower its levels and lengthen the exposure.",
             )
+        uneven = [i for i, level in light.levels.items() if level % limits.led_level_step]
+        if uneven:
+            raise InvalidInputError(
+                f"Light `{light.name}` has levels that the device cannot make, of LED {uneven[0]} first.",
+                hint=f"Take multiples of {limits.led_level_step}.",
+            )
+    if limits.led_period_us and plan.exposure_us % limits.led_period_us:
+        raise InvalidInputError(
+            f"The exposure of {plan.exposure_us} us is not a whole number of the periods of the device's "
+            f"LED drivers ({limits.led_period_us} us): frames would differ in brightness.",
+            hint=f"Take a multiple of {limits.led_period_us} us.",
+        )
     if plan.exposure_us > limits.led_on_time_us:
         raise InvalidInputError(
             f"The exposure of {plan.exposure_us} us is longer than an LED may be on "

@@ -41,6 +41,8 @@ from reliefscope.protocol.messages import (
     ExposureEvent,
     FaultEvent,
     FaultReason,
+    GetLedCorrectionReply,
+    GetLedCorrectionRequest,
     GetSettingsReply,
     GetSettingsRequest,
     HelloReply,
@@ -56,6 +58,8 @@ from reliefscope.protocol.messages import (
     SelectLightRequest,
     SequenceEvent,
     SequenceState,
+    SetLedCorrectionReply,
+    SetLedCorrectionRequest,
     SetSettingsReply,
     SetSettingsRequest,
     StartReply,
@@ -224,6 +228,14 @@ class Device:
     def settings(self) -> GetSettingsReply:
         """Settings in the non-volatile memory."""
         return self._exchange.request(GetSettingsRequest())
+
+    def led_correction(self) -> GetLedCorrectionReply:
+        """Factors by which the board lowers the current of each LED."""
+        return self._exchange.request(GetLedCorrectionRequest())
+
+    def store_led_correction(self, factors: Sequence[int]) -> SetLedCorrectionReply:
+        """Replace the factors of all LEDs, 0 to 255: currents are level * (factor + 1) / 256."""
+        return self._exchange.request(SetLedCorrectionRequest(bytes(factors)))
 
     def store_settings(self, settings: SetSettingsRequest) -> SetSettingsReply:
         """Replace all settings."""
