@@ -14,6 +14,7 @@ COMMANDS = [
     "acquire",
     "reconstruct",
     "evaluate",
+    "fiducial",
     "verify",
     "bundle",
     "sim",
@@ -36,6 +37,8 @@ HEAVY = [
     "serial",
     "usb",
     "bincopy",
+    "trimesh",
+    "PIL",
 ]
 PROGRAM = """
 import sys, json

@@ -22,6 +22,7 @@ from reliefscope.cli.commands import (
     demo,
     diagnose,
     evaluate,
+    fiducial,
     flash,
     light_probe,
     link_test,
@@ -47,6 +48,7 @@ app.command("import", rich_help_panel="Measure")(dataset.import_photographs)
 app.command("light-probe", rich_help_panel="Measure")(light_probe.light_probe)
 app.command("reconstruct", rich_help_panel="Process")(reconstruct.reconstruct)
 app.command("evaluate", rich_help_panel="Process")(evaluate.evaluate)
+app.command("fiducial", rich_help_panel="Make targets")(fiducial.fiducial)
 app.command("info", rich_help_panel="Look after runs")(dataset.info)
 app.command("verify", rich_help_panel="Look after runs")(dataset.verify)
 app.command("bundle", rich_help_panel="Look after runs")(bundle.bundle)
