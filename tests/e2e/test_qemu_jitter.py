@@ -4,6 +4,7 @@ import itertools
 import random
 import select
 import socket
+import time
 import zlib
 
 import pytest
@@ -40,7 +41,12 @@ class Wire:
         """As many bytes as the device takes; answers are read and forgotten.  Returns the bytes sent."""
         self.socket.setblocking(False)
         sent, waiting = 0, b""
-        while not done():
+        look_s = 0.0
+        while True:
+            if time.monotonic() >= look_s:
+                if done():
+                    return sent
+                look_s = time.monotonic() + 0.1
             if not waiting:
                 waiting = garbage(next(self.ids))
             readable, writable, _ = select.select([self.socket], [self.socket], [], 0.5)
@@ -49,7 +55,6 @@ class Wire:
             if writable:
                 count = self.socket.send(waiting[:256])
                 sent, waiting = sent + count, waiting[count:]
-        return sent
 
 
 def start(wire):
