@@ -6,16 +6,16 @@ irradiance, so that a Lambert surface is its albedo alone and the radiance is al
 between the normal n, the direction to the light l, the direction to the viewer v and the half vector h; the
 caller sees to ``nl > 0`` and ``nv > 0``.
 
-=====================  ==================================================  ======================================
-Model                  Source                                              Parameters
-=====================  ==================================================  ======================================
-:func:`lambert`        Lambert 1760                                        albedo 0..1
-:func:`oren_nayar`     Oren and Nayar 1994, eq. 30                         albedo 0..1, slope sigma rad
-:func:`ggx`            Walter 2007, Heitz 2014, Schlick 1994               width alpha 0..1, F0 0..1
-:func:`ggx_metal`      the same with Fresnel's equations                   alpha, index n + i k
-:func:`ggx_dielectric` the same over a diffuser below a smooth boundary    alpha, index n > 1, albedo 0..1
-:func:`hapke`          Hapke 1981, 2002                                    w 0..1, b 0..1, c -1..1, B0 >= 0, h > 0
-=====================  ==================================================  ======================================
+======================  ==================================================  ======================================
+Model                   Source                                              Parameters
+======================  ==================================================  ======================================
+:func:`lambert`         Lambert 1760                                        albedo 0..1
+:func:`oren_nayar`      Oren and Nayar 1994, eq. 30                         albedo 0..1, slope sigma rad
+:func:`ggx`             Walter 2007, Heitz 2014, Schlick 1994               width alpha 0..1, F0 0..1
+:func:`ggx_metal`       the same with Fresnel's equations                   alpha, index n + i k
+:func:`ggx_dielectric`  the same over a diffuser below a smooth boundary    alpha, index n > 1, albedo 0..1
+:func:`hapke`           Hapke 1981, 2002                                    w 0..1, b 0..1, c -1..1, B0 >= 0, h > 0
+======================  ==================================================  ======================================
 
 All are reciprocal: nothing changes when l and v change places.  What a model does not keep is said with it.
 For colour, call a model once per channel with that channel's parameters.
