@@ -183,6 +183,35 @@ def test_evaluate_without_a_result_tells_how_to_make_one(run: Path, capsys: Capt
     assert "reliefscope reconstruct" in answer["error"]["hint"]
 
 
+@pytest.mark.parametrize(
+    ("url", "sample", "known"),
+    [
+        ("sim://a?scene=fiducial", "", True),
+        ("sim://a", "", True),
+        ("sim://a?scene=regolith", "beside the fiducial", False),
+        ("/dev/ttyACM0", "Fiducial 3", True),
+        ("/dev/ttyACM0", "basalt", False),
+    ],
+)
+def test_evaluate_refuses_another_sample_than_the_fiducial(
+    url: str, sample: str, known: bool, run: Path, capsys: Captured
+) -> None:
+    assert cli.main(["reconstruct", str(run), "--no-pictures", "--progress", "none"]) == 0
+    spec = json.loads((run / "run.json").read_text(encoding="utf-8"))
+    assert spec["acquired"]["sessions"][0]["device"]["url"] == DEVICE
+    spec["acquired"]["sessions"][0]["device"]["url"] = url
+    spec["sample"] = sample
+    (run / "run.json").write_text(json.dumps(spec), encoding="utf-8")
+    status, answer = invoke(capsys, "evaluate", str(run))
+    assert status == (ExitCode.OK if known else ExitCode.INVALID_INPUT)
+    if not known:
+        assert "reliefscope reconstruct" in answer["error"]["hint"]
+        assert "reliefscope info" in answer["error"]["hint"]
+    status, stated = invoke(capsys, "evaluate", str(run), "--fiducial")
+    assert status == ExitCode.OK
+    assert stated["table"]
+
+
 def test_import_tells_the_next_command(tmp_path: Path, capsys: Captured) -> None:
     import cv2
     import numpy as np

@@ -98,7 +98,19 @@ def test_nobody_listens():
         port = listener.getsockname()[1]
     with pytest.raises(DeviceNotFoundError, match="could not be opened") as caught:
         Device.open(f"socket://127.0.0.1:{port}")
-    assert "reliefscope doctor" in caught.value.hint
+    assert "reliefscope sim serve" in caught.value.hint
+    assert f"127.0.0.1:{port}" in caught.value.hint
+    assert "Teensy" not in caught.value.hint
+
+
+@pytest.mark.skipif(sys.platform == "win32", reason="another message of the system")
+def test_unknown_name_tells_the_ports_and_what_an_address_is(monkeypatch):
+    listed = [ports.PortInfo("/dev/ttyS7", "serial port", "", is_teensy=False)]
+    monkeypatch.setattr(ports, "list_ports", lambda: listed)
+    with pytest.raises(DeviceNotFoundError, match="foo") as caught:
+        Device.open("foo")
+    for word in ("/dev/ttyS7", "sim://benchtop", "socket://host:port"):
+        assert word in caught.value.hint
 
 
 @pytest.mark.parametrize("url", ["/dev/no-such-port", "nonsense://here"])

@@ -346,6 +346,7 @@ def _session(device: Device, info: CameraInfo) -> Session:
         started=now(),
         host=host_identity(),
         device={
+            "url": device.url,
             "board": identity.board,
             "serial_number": identity.serial_number,
             "firmware_version": identity.firmware_version,

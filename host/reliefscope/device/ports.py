@@ -22,6 +22,10 @@ TEENSY_VID = 0x16C0
 TEENSY_SERIAL_PID = 0x0483
 BAUD_RATE = 115200
 """USB ignores it; 134 would send a Teensy into its bootloader."""
+ADDRESSES = (
+    "Give a port (/dev/ttyACM0, COM3) or a URL (sim://benchtop, socket://host:port); "
+    "`reliefscope doctor` lists the ports."
+)
 UDEV_COMMAND = (
     """echo 'ATTRS{idVendor}=="16c0", ATTRS{idProduct}=="04*", MODE:="0666"' """
     """| sudo tee /etc/udev/rules.d/70-reliefscope.rules && sudo udevadm control --reload"""
@@ -108,8 +112,7 @@ def open_port(url: str) -> Port:
     except ValueError as error:
         raise DeviceNotFoundError(
             f"{url!r} is not a port that can be opened: {error}.",
-            hint="Give a port (/dev/ttyACM0, COM3) or a URL (sim://benchtop, socket://host:port); "
-            "`reliefscope doctor` lists the ports.",
+            hint=ADDRESSES,
         ) from error
     except OSError as error:  # pyserial's SerialException is one
         raise _open_error(url, error) from error
@@ -127,8 +130,24 @@ def _open_error(url: str, error: OSError) -> DeviceNotFoundError | LockedError:
             f"{url} may not be opened by this user.",
             hint=f"Allow it once with: {UDEV_COMMAND}; then plug the device in again.",
         )
-    teensies = [p.port for p in list_ports() if p.is_teensy]
+    if "://" in url:
+        return DeviceNotFoundError(f"{url} could not be opened: {text}.", hint=_url_hint(url))
+    found = list_ports()
+    teensies = [p.port for p in found if p.is_teensy]
     known = f"A Teensy is at {', '.join(teensies)}." if teensies else "No Teensy is plugged in."
-    return DeviceNotFoundError(
-        f"{url} could not be opened: {text}.", hint=f"{known} `reliefscope doctor` lists the ports."
-    )
+    others = [p.port for p in found if not p.is_teensy]
+    if others:
+        known += f" Other serial ports: {', '.join(others)}."
+    named = url.startswith("/dev/") or url.upper().startswith("COM")
+    advice = "`reliefscope doctor` lists the ports." if named else ADDRESSES
+    return DeviceNotFoundError(f"{url} could not be opened: {text}.", hint=f"{known} {advice}")
+
+
+def _url_hint(url: str) -> str:
+    """What to do where an address other than a port of this computer did not open."""
+    if url.startswith("socket://"):
+        return (
+            f"Nothing answers at {url.removeprefix('socket://')}: start `reliefscope sim serve` there and use "
+            "the address that it prints, or check host and port."
+        )
+    return ADDRESSES

@@ -21,6 +21,7 @@ from reliefscope.models.instrument import InstrumentProfile, load_profile
 INSTRUMENT_GROUP = "reliefscope.instruments"
 DEFAULT_PROFILE = "benchtop"
 DEFAULT_SCENE = "fiducial"
+DEMO_SCHEME = "sim"
 
 
 @dataclass(frozen=True, slots=True)

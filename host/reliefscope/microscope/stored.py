@@ -8,14 +8,16 @@ from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
+from urllib.parse import parse_qsl, urlsplit
 
 from reliefscope.dataset import Run, VerifyReport
 from reliefscope.dataset import import_photographs as import_run
 from reliefscope.dataset.run import IncompleteRunWarning
+from reliefscope.dataset.spec import RunSpec
 from reliefscope.errors import DatasetError, InvalidInputError
 from reliefscope.evaluation import PAPER_TABLE_I, TableRow, evaluate_fiducial
 from reliefscope.jobs import Job
-from reliefscope.microscope.instruments import load_calibration
+from reliefscope.microscope.instruments import DEFAULT_SCENE, DEMO_SCHEME, load_calibration
 from reliefscope.microscope.places import fresh_path
 from reliefscope.models.calibration import Calibration
 from reliefscope.targets import SECTIONS, Fiducial3D, Section
@@ -298,18 +300,23 @@ def evaluate_run(
     name:
         Result to evaluate; every result of the run if left out.
     target:
-        The fiducial that lay under the objective; the standard one if left out.
+        The fiducial that lay under the objective; the standard one if left out, which a run must be
+        known to show (:func:`refuse_other_sample`).
     job:
         Receives progress; may cancel.
 
     Raises
     ------
+    InvalidInputError
+        If nothing says that the run shows the fiducial.
     DatasetError
         If there is no such result.
     """
     from reliefscope.reconstruction.result import load_result
 
     stored = _stored(run)
+    if target is None:
+        refuse_other_sample(stored.data.spec, stored.path)
     names = stored.results if name is None else [name]
     if not names:
         raise DatasetError(
@@ -326,6 +333,46 @@ def evaluate_run(
         )
     whole = min(stored.data.shape) * stored.data.pixel_um >= fiducial.size_um
     return Evaluation(stored.path, table, PAPER_TABLE_I, whole)
+
+
+def refuse_other_sample(spec: RunSpec, path: Path) -> None:
+    """Refuse a run at ``path`` of which nothing tells that it shows the 3D fiducial.
+
+    A simulated instrument's address names its scene; of any other run only the sample and the notes tell.
+
+    Raises
+    ------
+    InvalidInputError
+        It shows another scene, or nothing is known of it.
+    """
+    scene = _simulated_scene(spec)
+    if scene == DEFAULT_SCENE:
+        return
+    if scene is not None:
+        raise InvalidInputError(
+            f"{path} shows the scene `{scene}`, not the fiducial: its true shape is not known here.",
+            hint=f"`reliefscope reconstruct {path}` gives its heights; `reliefscope info {path}` tells what it is.",
+        )
+    if DEFAULT_SCENE not in f"{spec.sample} {spec.notes}".lower():
+        raise InvalidInputError(
+            f"Nothing recorded says that {path} shows the fiducial, the only sample whose true shape is known.",
+            hint=f"`reliefscope reconstruct {path}` gives heights of any sample, `reliefscope info {path}` "
+            "tells what is recorded. If it does show the fiducial, say so with `--fiducial`.",
+        )
+
+
+def _simulated_scene(spec: RunSpec) -> str | None:
+    """Scene by the address of the simulated instrument; None where there is no such address."""
+    addresses = (
+        [session.device.get("url", "") for session in spec.acquired.sessions]
+        if spec.acquired
+        else []
+    )
+    for address in (*addresses, *spec.notes.split()):
+        parts = urlsplit(address)
+        if parts.scheme == DEMO_SCHEME:
+            return dict(parse_qsl(parts.query)).get("scene", DEFAULT_SCENE)
+    return None
 
 
 def visible_sections(

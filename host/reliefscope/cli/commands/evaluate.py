@@ -16,9 +16,20 @@ def evaluate(
         str | None,
         typer.Option("--name", help="Result to evaluate; every result of the run if left out."),
     ] = None,
+    fiducial: Annotated[
+        bool,
+        typer.Option(
+            "--fiducial",
+            help="The run shows the fiducial, though neither its sample nor its notes say so.",
+        ),
+    ] = False,
     seed: Annotated[
-        int, typer.Option("--fiducial-seed", help="Seed that drew the fiducial's slanted planes.")
-    ] = 1,
+        int | None,
+        typer.Option(
+            "--fiducial-seed",
+            help="Seed that drew the fiducial's slanted planes, 1 if left out; implies `--fiducial`.",
+        ),
+    ] = None,
     as_json: JsonFlag = False,
     progress: ProgressOption = ProgressMode.AUTO,
 ) -> None:
@@ -32,7 +43,7 @@ def evaluate(
         from reliefscope.cli.tables import show_table
         from reliefscope.targets import Fiducial3D
 
-        evaluation = microscope.evaluate_run(
-            run, name=name, target=Fiducial3D(seed=seed), job=this.job
-        )
+        stated = Fiducial3D(seed=1 if seed is None else seed)
+        target = stated if fiducial or seed is not None else None
+        evaluation = microscope.evaluate_run(run, name=name, target=target, job=this.job)
     this.result(evaluation.as_dict(), lambda console: show_table(console, evaluation))
