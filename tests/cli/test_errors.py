@@ -115,3 +115,24 @@ def test_wrong_size_is_refused_before_anything_happens(
 def test_resume_takes_no_other_plan(capsys: pytest.CaptureFixture[str]) -> None:
     assert cli.main(["acquire", "--resume", "r", "--out", "q"]) == ExitCode.INVALID_INPUT
     assert "--resume" in capsys.readouterr().err
+
+
+@pytest.mark.parametrize("option", ["--sample", "--notes"])
+def test_resume_takes_no_other_description(capsys: pytest.CaptureFixture[str], option: str) -> None:
+    assert cli.main(["acquire", "--resume", "r", option, "foo"]) == ExitCode.INVALID_INPUT
+    assert option in capsys.readouterr().err
+
+
+@pytest.mark.parametrize(("option", "value"), [("--exposure-ms", "0"), ("--settle-ms", "-1")])
+def test_a_wrong_duration_names_its_option_and_unit(
+    capsys: pytest.CaptureFixture[str], option: str, value: str
+) -> None:
+    assert cli.main(["acquire", option, value]) == ExitCode.INVALID_INPUT
+    shown = capsys.readouterr().err
+    assert option in shown
+    assert "milliseconds" in shown
+
+
+def test_bundle_of_an_absent_run(capsys: pytest.CaptureFixture[str]) -> None:
+    assert cli.main(["bundle", "runs/nope"]) == ExitCode.DATASET
+    assert "There is no run runs/nope" in " ".join(capsys.readouterr().err.split())

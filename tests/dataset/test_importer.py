@@ -273,3 +273,11 @@ def test_light_field_views_agree_at_the_height_of_the_rods(tmp_path: Path) -> No
     curve = [likeness(height) for height in heights]
     assert 3 <= heights[int(np.argmax(curve))] <= 25
     assert max(curve) > 0.7
+
+
+def test_files_of_8_bits_cannot_hold_more(tmp_path: Path) -> None:
+    photographs(tmp_path)
+    with pytest.raises(InvalidInputError, match="8 bits per channel") as caught:
+        import_photographs(describe(tmp_path, bit_depth=12), tmp_path / "run")
+    assert "bit_depth: 8" in caught.value.hint
+    assert not (tmp_path / "run").exists()

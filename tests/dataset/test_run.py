@@ -8,9 +8,9 @@ import pytest
 from numpy.typing import NDArray
 from tests.dataset.helpers import make_run, record, small_plan, small_profile, small_spec
 
-from reliefscope.dataset import FrameRecord, Run, RunSpec, RunWriter
+from reliefscope.dataset import FrameRecord, IncompleteRunWarning, Run, RunSpec, RunWriter
 from reliefscope.dataset.sensor_image import colour, luminance
-from reliefscope.errors import InvalidInputError
+from reliefscope.errors import DatasetError, InvalidInputError
 from reliefscope.models.plan import Aperture, Light
 from reliefscope.units import RawImage
 
@@ -225,3 +225,18 @@ def test_a_sum_that_does_not_fit_is_refused() -> None:
 def test_records_need_a_known_kind() -> None:
     with pytest.raises(ValueError, match="kind"):
         FrameRecord.model_validate({"kind": "bright", "view": 0, "light": 0, "time": "now"})
+
+
+@pytest.mark.parametrize("lost", ["dark", "leakage"])
+def test_a_planned_offset_that_was_not_taken_is_refused(tmp_path: Path, lost: str) -> None:
+    physical_run(tmp_path / "run", "mono", dark=True, leakage=True)
+    journal = tmp_path / "run" / "journal.jsonl"
+    lines = journal.read_text().splitlines(keepends=True)
+    journal.write_text("".join(line for line in lines if f'"kind":"{lost}"' not in line))
+    with pytest.warns(IncompleteRunWarning):
+        run = Run.open(tmp_path / "run")
+    for read in (run.luminance, run.rgb):
+        with pytest.raises(DatasetError, match=lost) as caught:
+            read("view", 0, 0)
+        assert f"--resume {tmp_path / 'run'}" in caught.value.hint
+    assert run.raw("view", 0, 0).shape == run.shape

@@ -325,3 +325,22 @@ def test_many_kills_at_random_moments_lose_nothing(tmp_path: Path) -> None:
     with RunWriter.resume(tmp_path / "run") as writer:
         assert writer.verify().damaged == {}
         assert len(writer.missing()) == 10 - len(kept)
+
+
+def test_a_repaired_journal_does_not_warn(tmp_path: Path, caplog: pytest.LogCaptureFixture) -> None:
+    run = make_run(tmp_path / "run")
+    journal = run.path / "journal.jsonl"
+    lines = journal.read_bytes().splitlines(keepends=True)
+    journal.write_bytes(b"".join([*lines[:4], b"#" + lines[4][1:], *lines[5:]]))
+    with pytest.warns(IncompleteRunWarning):
+        damaged = Run.open(run.path)
+    assert "line 5" in caplog.text
+    with pytest.raises(VerificationError, match="1 of 10 frames") as caught:
+        damaged.verify().require_ok()
+    assert "line 5" in caught.value.message
+    with RunWriter.resume(run.path) as writer:
+        fill(writer)
+        writer.finish()
+    caplog.clear()
+    assert Run.open(run.path).verify().ok
+    assert caplog.text == ""

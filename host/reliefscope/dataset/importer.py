@@ -106,6 +106,12 @@ def _read(folder: Path, name: str, photographs: PhotographSet) -> _Photograph:
             f"{path} is a colour picture, but the description says `sensor: bayer_rggb`.",
             hint="Give the raw mosaic as a grey picture, or say `sensor: mono`.",
         )
+    if pixels.dtype == np.uint8 and photographs.bit_depth > 8:
+        raise InvalidInputError(
+            f"{path} has 8 bits per channel, but the description says "
+            f"`bit_depth: {photographs.bit_depth}`.",
+            hint="Say `bit_depth: 8`, or give the pictures as 16-bit files.",
+        )
     top = (1 << photographs.bit_depth) - 1
     if int(pixels.max()) > top:
         raise InvalidInputError(

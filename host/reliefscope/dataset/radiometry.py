@@ -2,11 +2,11 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Mapping
+from collections.abc import Callable
 
 import numpy as np
 
-from reliefscope.dataset.records import FrameKey, JournalEntry
+from reliefscope.dataset.records import FrameKey, JournalEntry, key_of
 from reliefscope.dataset.spec import RunSpec
 from reliefscope.models.plan import FrameKind, Plan
 from reliefscope.units import FloatImage, RawImage
@@ -19,17 +19,21 @@ class Radiometry:
     dark signal plus the leakage of the light.  Shut pixels pass 1/contrast of the light, and open ones are
     among them when the leakage frame is taken, so subtracting it leaves ``1 - 1/contrast`` of what came
     through the open pixels and nothing of what came through the shut ones.
+
+    ``record`` gives the journal's entry of an image, or raises DatasetError where it was not taken: what the
+    plan asks for and the run lacks is refused, because heights would come out wrong without it.
     """
 
     def __init__(
         self,
         spec: RunSpec,
-        entries: Mapping[FrameKey, JournalEntry],
+        record: Callable[[FrameKey], JournalEntry],
         read: Callable[[FrameKey], RawImage],
     ) -> None:
         self._spec = spec
-        self._entries = entries
+        self._record = record
         self._read = read
+        self._planned = {key_of(request) for request in spec.requests()}
         self._plan = spec.plan
         self._mean_open = (
             float(np.mean([view.open_pixels for view in self._plan.views])) if self._plan else 0.0
@@ -59,6 +63,11 @@ class Radiometry:
         """Dark signal plus leakage (H, W), as counts of the sensor over full scale; None without dark frame.
 
         A leakage frame without a dark frame is brought above the black level the same way.
+
+        Raises
+        ------
+        DatasetError
+            If the plan has dark or leakage frames that were not taken.
         """
         dark = self._averaged(("dark", None, None))
         total = dark
@@ -83,9 +92,9 @@ class Radiometry:
         return []
 
     def _averaged(self, key: FrameKey) -> FloatImage | None:
-        entry = self._entries.get(key)
-        if entry is None:
+        if key not in self._planned:
             return None
+        entry = self._record(key)
         scale = np.float32(1.0 / (entry.accumulated * self._spec.frame.full_scale))
         return np.multiply(self._read(key), scale, dtype=np.float32)
 

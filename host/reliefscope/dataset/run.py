@@ -52,7 +52,7 @@ class Run:
         self.layout = Layout(spec)
         self.calibration: Calibration | None = spec.calibration
         self._store = FrameStore(path, self.layout, read_only=True)
-        self._radiometry = Radiometry(spec, journal.entries, self._store.read)
+        self._radiometry = Radiometry(spec, lambda key: self.record(*key), self._store.read)
         self._cache_lock = threading.Lock()
         self._offsets: dict[tuple[FrameKind, int | None], FloatImage | None] = {}
 
@@ -77,8 +77,9 @@ class Run:
                 f"There is no run {folder}.", hint=f"Look for it: `ls {folder.absolute().parent}`."
             )
         run = cls(folder, read_spec(folder), Journal.read(folder / JOURNAL_FILE))
-        for problem in run.journal.problems:
-            log.warning("%s: %s", folder, problem)
+        if run.missing:  # otherwise what a damaged line recorded was taken again
+            for problem in run.journal.problems:
+                log.warning("%s: %s", folder, problem)
         if not run.complete:
             taken = run.planned - len(run.missing)
             warnings.warn(

@@ -39,6 +39,12 @@ class VerifyReport:
         found += [f"{key_text(key)}: not taken yet" for key in self.missing]
         return found + self.problems
 
+    def _summary(self) -> str:
+        frames = len(self.damaged) + len(self.missing)
+        if not frames:
+            return "the journal is not as it should be"
+        return f"{frames} of {self.planned} frames are not as planned"
+
     def as_dict(self) -> dict[str, Any]:
         """The report for ``--json``."""
         return {
@@ -60,7 +66,7 @@ class VerifyReport:
         shown = "\n".join(f"  {line}" for line in found[:10])
         more = f"\n  ... and {len(found) - 10} more" if len(found) > 10 else ""
         raise VerificationError(
-            f"{self.run}: {len(found)} of {self.planned} frames are not as planned:\n{shown}{more}",
+            f"{self.run}: {self._summary()}:\n{shown}{more}",
             hint=self.hint,
         )
 

@@ -40,6 +40,10 @@ def bundle_run(run: Path | str, out: Path | str | None = None) -> Path:
         If the file exists.
     """
     folder = Path(run) if Path(run).is_dir() else partial_path(Path(run))
+    if not folder.is_dir():
+        raise DatasetError(
+            f"There is no run {run}.", hint=f"Look for it: `ls {Path(run).absolute().parent}`."
+        )
     spec = read_spec(folder)
     logs = sorted(folder.glob(WIRE_LOGS))
     if not logs:

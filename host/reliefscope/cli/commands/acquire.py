@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import math
 from pathlib import Path
 from typing import TYPE_CHECKING, Annotated
 
@@ -70,7 +71,20 @@ def acquire(
     pauses after the current frame; `--resume RUN` takes what is missing.
     """
     if resume is not None:
-        _refuse_with_resume(out, plan, exposure_ms, settle_ms, profile, calibration, dry_run)
+        _refuse_with_resume(
+            {
+                "--out": out,
+                "--plan": plan,
+                "--exposure-ms": exposure_ms,
+                "--settle-ms": settle_ms,
+                "--profile": profile,
+                "--calibration": calibration,
+                "--sample": sample or None,
+                "--notes": notes or None,
+                "--dry-run": dry_run or None,
+            }
+        )
+    _refuse_durations(exposure_ms, settle_ms)
     with session(progress, as_json=as_json) as this:
         from reliefscope import microscope
 
@@ -88,11 +102,25 @@ def acquire(
     _show_run(this, run)
 
 
-def _refuse_with_resume(*others: object) -> None:
-    if any(other not in (None, False) for other in others):
+def _refuse_with_resume(others: dict[str, object]) -> None:
+    given = [name for name, value in others.items() if value is not None]
+    if given:
         raise InvalidInputError(
-            "--resume goes on with a run exactly as it was begun; it takes no other plan, place or profile.",
+            f"--resume goes on with a run exactly as it was begun; it does not take {', '.join(given)}.",
             hint="Give --resume RUN alone (with --device and --camera), or begin a new run without it.",
+        )
+
+
+def _refuse_durations(exposure_ms: float | None, settle_ms: float | None) -> None:
+    if exposure_ms is not None and not (math.isfinite(exposure_ms) and exposure_ms >= 0.001):
+        raise InvalidInputError(
+            f"--exposure-ms {exposure_ms:g} is no exposure: it is a time in milliseconds, at least 0.001.",
+            hint="Give the milliseconds of one exposure, for example `--exposure-ms 20`.",
+        )
+    if settle_ms is not None and not (math.isfinite(settle_ms) and settle_ms >= 0):
+        raise InvalidInputError(
+            f"--settle-ms {settle_ms:g} is no wait: it is a time in milliseconds, at least 0.",
+            hint="Give the milliseconds that the glass needs, for example `--settle-ms 400`.",
         )
 
 
