@@ -8,6 +8,8 @@ import pytest
 
 from reliefscope import __version__
 from reliefscope.cli import main
+from reliefscope.cli.app import app, prose
+from reliefscope.cli.options import METHOD_NAMES
 
 COMMANDS = [
     "demo",
@@ -43,6 +45,8 @@ HEAVY = [
 PROGRAM = """
 import sys, json
 from reliefscope.cli import main
+from reliefscope.cli.app import app, prose
+from reliefscope.cli.options import METHOD_NAMES
 status = main({arguments!r})
 sys.stdout.flush()
 print(json.dumps({{"status": status, "modules": [m for m in {heavy!r} if m in sys.modules]}}))
@@ -76,6 +80,23 @@ def test_without_a_command_the_help_is_shown_and_the_status_says_so() -> None:
     text, found = help_of([])
     assert found["status"] == 2
     assert "Usage" in text
+
+
+def test_help_of_method_lists_the_methods() -> None:
+    from reliefscope.reconstruction.settings import METHODS
+
+    assert tuple(METHODS) == METHOD_NAMES
+    for command in ("reconstruct", "demo"):
+        text, _ = help_of([command, "--help"])
+        assert all(name in text for name in METHOD_NAMES)
+
+
+def test_help_joins_the_lines_of_a_paragraph() -> None:
+    text = "One,\n    beside two.\n\n    Three\n    four.\n    "
+    assert prose(text) == "One, beside two.\n\nThree four."
+    for command in app.registered_commands:
+        assert command.help
+        assert "\n" not in command.help.replace("\n\n", "")
 
 
 def test_version(capsys: pytest.CaptureFixture[str]) -> None:

@@ -117,8 +117,9 @@ def test_paper_recovers_the_relief(frames: ArrayFrames, truth: np.ndarray) -> No
     slope_x, slope_y = axes.gradient_from_normals(result.normals)
     assert np.abs(slope_x - gx)[INNER].mean() < 0.02
     assert np.abs(slope_y - gy)[INNER].mean() < 0.02
-    assert {"read frames", "match", "smooth", "fusion"} <= stages
-    assert {"read frames", "match", "smooth", "photometric stereo", "fuse"} <= set(result.timings_s)
+    named = {"read frames", "match", "smooth", "register", "photometric stereo", "fuse"}
+    assert stages == named, "progress and the table of times use the same names"
+    assert set(result.timings_s) == named
     assert result.peak_memory_mb > 10
     summary = result.summary()
     assert summary["stereo_accepted"] > 0.5
@@ -163,6 +164,25 @@ def test_one_light_is_stereo_only(frames: ArrayFrames, truth: np.ndarray) -> Non
     assert result.kind == "stereo"
     assert result.normals is None
     assert mean_error(result.height_um, truth) < 1.5
+
+
+def test_hints_offer_only_what_the_run_allows(frames: ArrayFrames) -> None:
+    def hint(views: int, lights: int, *, unknown: bool = False) -> str:
+        few = ArrayFrames(
+            images=frames.images[:views, :lights],
+            views=frames.views[:views],
+            lights=None if unknown else frames.lights[:lights],
+            powers=np.ones(lights),
+        )
+        with pytest.raises(InvalidInputError) as caught:
+            reconstruct(few, QUICK)
+        return caught.value.hint
+
+    assert "stereo" not in hint(1, 2)
+    assert "more lights" in hint(1, 2)
+    assert "use: stereo" in hint(2, 2)
+    assert "use: stereo" not in hint(1, 4, unknown=True)
+    assert "use: stereo" in hint(2, 4, unknown=True)
 
 
 def test_mask_leaves_the_rest_missing(frames: ArrayFrames) -> None:

@@ -6,7 +6,9 @@ runs: ``--help`` answers at once.
 
 from __future__ import annotations
 
+import inspect
 import logging
+import re
 import sys
 from collections.abc import Sequence
 from importlib.metadata import entry_points
@@ -58,6 +60,24 @@ app.command("link-test", rich_help_panel="Look after the instrument")(link_test.
 COMMAND_GROUP = "reliefscope.commands"
 for _entry in entry_points(group=COMMAND_GROUP):
     app.add_typer(_entry.load(), name=_entry.name, rich_help_panel="From installed packages")
+
+
+def prose(text: str) -> str:
+    """``text`` with the lines of each paragraph joined, so that help wraps where the terminal does."""
+    paragraphs = re.split(r"\n\s*\n", inspect.cleandoc(text))
+    return "\n\n".join(" ".join(paragraph.split()) for paragraph in paragraphs)
+
+
+def _join_lines(commands: typer.Typer) -> None:
+    for command in commands.registered_commands:
+        if command.callback is not None:
+            command.help = prose(command.help or command.callback.__doc__ or "")
+    for group in commands.registered_groups:
+        if group.typer_instance is not None:
+            _join_lines(group.typer_instance)
+
+
+_join_lines(app)
 
 
 @app.callback(invoke_without_command=True)

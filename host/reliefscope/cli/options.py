@@ -9,9 +9,11 @@ from typing import Annotated
 
 import typer
 
+from reliefscope.errors import DEFAULT_DEVICE as DEFAULT_DEVICE
 from reliefscope.errors import InvalidInputError
 
-DEFAULT_DEVICE = "sim://benchtop?scene=fiducial"
+METHOD_NAMES = ("paper", "robust", "joint")
+"""Methods of reconstruction, kept here as well because their settings load numpy; a test compares the two."""
 DEVICE_VARIABLE = "RELIEFSCOPE_DEVICE"
 
 
@@ -65,6 +67,7 @@ CalibrationOption = Annotated[
         "--calibration", metavar="FILE", help="Calibration to use instead of the one in force."
     ),
 ]
+METHOD_HELP = f"Reconstruction method: {', '.join(METHOD_NAMES[:-1])} or {METHOD_NAMES[-1]}"
 RunArgument = Annotated[Path, typer.Argument(metavar="RUN", help="Folder of the run.")]
 SizeOption = Annotated[
     str | None,

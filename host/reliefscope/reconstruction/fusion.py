@@ -145,7 +145,7 @@ def _solve(
             hint="Look at the quality maps: exposure, focus and the height range are likely causes.",
         )
     tolerance = TOLERANCE_PX * pixel_um if tolerance_um is None else tolerance_um
-    with ensure_job(job).stage("fusion", 1):
+    with ensure_job(job).stage("fuse", 1):
         solution = conjugate_gradients.solve(system, target_um, tolerance, maximum_iterations, job)
     if not solution.converged:
         _LOG.warning(

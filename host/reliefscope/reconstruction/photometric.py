@@ -85,7 +85,7 @@ def check_directions(
     if len(lights) < 3:
         raise InvalidInputError(
             f"Photometric stereo needs at least 3 lights; there are {len(lights)}.",
-            hint="Acquire with more lights, or reconstruct with multi-view stereo only.",
+            hint="Take the sample under more lights.",
         )
     lengths = np.linalg.norm(lights, axis=1)
     if not np.all(np.isfinite(lengths)) or np.any(lengths == 0.0):

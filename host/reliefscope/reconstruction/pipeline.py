@@ -120,7 +120,7 @@ class _Pipeline:
         if not self._stereo and not self._photometric:
             raise InvalidInputError(
                 "One view under one light tells nothing about height.",
-                hint="Take several views or several lights.",
+                hint="Take at least two views, or at least three lights.",
             )
         # everything that can be refused is refused before a frame is read
         self._slopes = self._checked_slopes() if self._stereo else _or_zero(run.views, views)
@@ -151,7 +151,7 @@ class _Pipeline:
             images = self._registered(smoothed)
             if micrograph is None:
                 micrograph = images.mean(axis=0)
-            with self._timed("photometric stereo"):
+            with self._timed("photometric stereo"), self._job.stage("photometric stereo", 1):
                 full_scale = settings.full_scale or photometric.full_scale_of(images)
                 figures["full_scale"] = full_scale
                 solved = photometric.solve_lambert(
@@ -187,12 +187,12 @@ class _Pipeline:
         if slopes is None:
             raise InvalidInputError(
                 "The slope of a view is not known, so parallax cannot be turned into height.",
-                hint="Give `slope: [sx, sy]` for every view, or reconstruct with `use: photometric`.",
+                hint=f"Give `slope: [sx, sy]` for every view{self._or_photometric()}.",
             )
         if len(slopes) < 2:
             raise InvalidInputError(
                 "Stereo needs at least two views; there is one.",
-                hint="Take more views, or reconstruct with `use: photometric`.",
+                hint=f"Take more views{self._or_photometric()}.",
             )
         return slopes
 
@@ -201,12 +201,27 @@ class _Pipeline:
         if directions is None:
             raise InvalidInputError(
                 "The direction of a light is not known, so shading cannot be turned into slope.",
-                hint="Give `direction: [x, y, z]` for every light, or reconstruct with `use: stereo`.",
+                hint=f"Give `direction: [x, y, z]` for every light{self._or_stereo()}.",
+            )
+        if len(directions) < 3:
+            raise InvalidInputError(
+                f"Photometric stereo needs at least 3 lights; there are {len(directions)}.",
+                hint=f"Take the sample under more lights{self._or_stereo()}.",
             )
         directions = photometric.check_directions(directions)
         if self._settings.trim is not None:
             photometric.kept_ranks(len(directions), self._settings.trim)
         return directions
+
+    def _or_stereo(self) -> str:
+        """The other way out, where the views allow it."""
+        possible = len(self._run.view_names) > 1 and self._run.views is not None
+        return ", or reconstruct with `use: stereo` in a settings file" if possible else ""
+
+    def _or_photometric(self) -> str:
+        """The other way out, where the lights allow it."""
+        possible = len(self._run.light_names) > 2 and self._run.lights is not None
+        return ", or reconstruct with `use: photometric` in a settings file" if possible else ""
 
     def _candidates(self) -> NDArray[np.float64]:
         span = self._settings.height_range_um or self._run.height_range_um
@@ -308,7 +323,7 @@ class _Pipeline:
         chosen = [self._nearest()] if alone else list(range(len(self._slopes)))
         visible = self._visible(height_um, chosen)
         out = np.empty((lights, *self._run.shape), np.float32)
-        with self._timed("register"), self._job.stage("bring to one view", lights) as stage:
+        with self._timed("register"), self._job.stage("register", lights) as stage:
             for light in range(lights):
                 frames = self._frames(chosen, light)
                 if height_um is not None:

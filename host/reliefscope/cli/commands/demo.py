@@ -8,6 +8,7 @@ from typing import Annotated
 import typer
 
 from reliefscope.cli.options import (
+    METHOD_HELP,
     JsonFlag,
     ProgressMode,
     ProgressOption,
@@ -35,7 +36,9 @@ def demo(
     profile: Annotated[
         str, typer.Option("--profile", help="Instrument to simulate: benchtop or miniature.")
     ] = "benchtop",
-    method: Annotated[str, typer.Option("--method", help="Reconstruction method.")] = "paper",
+    method: Annotated[
+        str, typer.Option("--method", metavar="NAME", help=f"{METHOD_HELP}.")
+    ] = "paper",
     as_json: JsonFlag = False,
     progress: ProgressOption = ProgressMode.AUTO,
 ) -> None:

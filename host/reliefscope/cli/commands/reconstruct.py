@@ -8,6 +8,7 @@ from typing import Annotated
 import typer
 
 from reliefscope.cli.options import (
+    METHOD_HELP,
     CalibrationOption,
     JsonFlag,
     ProgressMode,
@@ -20,7 +21,8 @@ from reliefscope.cli.session import session
 def reconstruct(
     run: RunArgument,
     method: Annotated[
-        str | None, typer.Option("--method", help="Reconstruction method; `paper` if left out.")
+        str | None,
+        typer.Option("--method", metavar="NAME", help=f"{METHOD_HELP}; paper if left out."),
     ] = None,
     settings: Annotated[
         Path | None, typer.Option("--settings", metavar="FILE", help="YAML file of settings.")
