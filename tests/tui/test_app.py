@@ -12,6 +12,7 @@ from textual.widgets import Input
 from reliefscope.errors import DeviceError
 from reliefscope.microscope import Microscope, open_run
 from reliefscope.tui.app import ReliefscopeApp
+from reliefscope.tui.bar import InstrumentLine
 from reliefscope.tui.dome import DomeMap
 from reliefscope.tui.engine import Picture
 from reliefscope.tui.glass import GlassView
@@ -97,7 +98,8 @@ async def test_one_key_turns_all_leds_off_everywhere() -> None:
             desk.app.dome.focus()
             await pilot.press("enter")
             await until(pilot, lambda: desk.app.dome.lit == {0})
-            await pilot.press(*keys, "o")
+            off = "ctrl+o" if keys == ("a",) else "o"  # its folder field has the focus
+            await pilot.press(*keys, off)
             await until(pilot, lambda: not desk.app.dome.lit)
             if keys:
                 await pilot.press("escape")
@@ -153,6 +155,7 @@ async def test_acquisition_with_progress_and_end(tmp_path: Path) -> None:
         desk.microscope.hold.clear()
         await pilot.press("a")
         assert isinstance(desk.app.screen, AcquireScreen)
+        assert desk.app.focused is desk.app.screen.query_one("#out")
         desk.app.screen.query_one("#out", Input).value = str(tmp_path / "r1")
         desk.app.screen.query_one("#sample", Input).value = "basalt"
         await pilot.click("#start")
@@ -162,6 +165,7 @@ async def test_acquisition_with_progress_and_end(tmp_path: Path) -> None:
         assert ("acquire", tmp_path / "r1", "basalt", "") in desk.microscope.calls
         assert desk.app._progress.percentage == 1.0
         await until(pilot, lambda: not desk.app.engine.busy)
+        assert "complete" in str(desk.app._stage_line.render())
         shown = desk.app.preview.shown
         await until(pilot, lambda: desk.app.preview.shown > shown)
 
@@ -219,6 +223,54 @@ async def test_refused_connection_leaves_the_screen_usable() -> None:
         await until(pilot, lambda: "No instrument is connected." in desk.messages)
 
     await drive(steps, url=None)
+
+
+async def test_failed_connection_clears_the_acquisition(tmp_path: Path) -> None:
+    async def steps(pilot: Pilot[None], desk: Desk) -> None:
+        await pilot.press("a")
+        desk.app.screen.query_one("#out", Input).value = str(tmp_path / "r1")
+        await pilot.press("enter")
+        await until(pilot, lambda: "Run complete" in desk.messages)
+        await until(pilot, lambda: not desk.app.engine.busy)
+        desk.refuse = DeviceError("Nobody answers.", hint="Is it plugged in?")
+        await pilot.press("c", "enter")
+        await until(pilot, lambda: "Nobody answers." in desk.messages)
+        assert "complete" not in str(desk.app._stage_line.render())
+        assert desk.app._progress.progress == 0
+
+    await drive(steps)
+
+
+async def test_interrupt_tells_the_keys_that_quit() -> None:
+    async def steps(pilot: Pilot[None], desk: Desk) -> None:
+        await pilot.press("ctrl+c")
+        await until(pilot, lambda: desk.app._notifications)
+        (told,) = desk.app._notifications
+        assert "Press q to quit" in told.message
+        await pilot.press("q")
+        await until(pilot, lambda: not desk.app.is_running)
+
+    await drive(steps)
+
+
+async def test_header_keeps_firmware_and_calibration_on_a_narrow_screen() -> None:
+    async def steps(pilot: Pilot[None], desk: Desk) -> None:
+        bar = desk.app._instrument_bar
+        bar.show_instrument(
+            InstrumentLine(
+                "benchtop", "sim://benchtop?scene=fiducial&seed=1", "host", "0.1.0", "factory"
+            )
+        )
+        text = str(bar.render())
+        assert text == "benchtop  sim://benchtop?…  host, firmware 0.1.0, calibration factory"
+        assert len(text) <= bar.content_size.width
+        await pilot.resize_terminal(140, 30)
+        await until(pilot, lambda: "seed=1" in str(bar.render()))
+        await pilot.resize_terminal(75, 30)
+        await until(pilot, lambda: "sim://" not in str(bar.render()))
+        assert str(bar.render()).endswith("firmware 0.1.0, calibration factory")
+
+    await drive(steps, (100, 30))
 
 
 @pytest.mark.parametrize("size", [(180, 50), (100, 30)])

@@ -21,6 +21,7 @@ from textual.widgets import Footer, Input, ProgressBar, RichLog, Static
 from reliefscope.device import PortInfo, list_ports
 from reliefscope.microscope import default_devices, fresh_path
 from reliefscope.models.plan import Aperture
+from reliefscope.tui.bar import InstrumentBar, InstrumentLine
 from reliefscope.tui.dome import DomeMap
 from reliefscope.tui.engine import (
     Advanced,
@@ -44,6 +45,7 @@ SLOWEST_S = 0.5
 NARROW = 130
 EXPOSURE_STEP = 2**0.5
 LEVEL_STEP = 2.0
+READY = "[dim]press [b]a[/b] to take a run[/]"
 SHORTEST_US, LONGEST_US = 20, 2_000_000
 
 
@@ -103,14 +105,14 @@ class ReliefscopeApp(App[None]):
         self.preview = Preview(id="preview")
         self.glass = GlassView(id="glass")
         self.dome = DomeMap(id="dome")
-        self._instrument_bar = Static("not connected", id="bar-instrument")
+        self._instrument_bar = InstrumentBar("not connected", id="bar-instrument")
         self._light_bar = Static("light off", id="bar-light")
         self._camera_panel = Vertical(id="preview-panel", classes="panel")
         self._camera_line = Static("", id="preview-state")
         self._messages = RichLog(
             id="messages", classes="panel", markup=True, wrap=True, min_width=20, max_lines=500
         )
-        self._stage_line = Static("[dim]press [b]a[/b] to take a run[/]", id="acquisition-line")
+        self._stage_line = Static(READY, id="acquisition-line")
         self._progress = ProgressBar(total=100, id="progress", show_eta=False)
         self._left_line = Static("", id="acquisition-left")
         self.engine = Engine(self.post_message, lambda: self.preview.room, opener)
@@ -203,9 +205,14 @@ class ReliefscopeApp(App[None]):
         self._level = profile.dome.full_level
         self.glass.set_up(profile.glass, profile.optics.pupil_diameter_mm, self._apertures)
         self.dome.set_up(microscope.calibration.led_positions_mm, profile.dome.full_level)
-        self._instrument_bar.update(
-            f"[b]{profile.name}[/]  {escape(microscope.device.url)}  [dim]{identity.board}, firmware "
-            f"{identity.firmware_version}, calibration {microscope.calibration.source}[/]"
+        self._instrument_bar.show_instrument(
+            InstrumentLine(
+                profile=profile.name,
+                url=microscope.device.url,
+                board=identity.board,
+                firmware=identity.firmware_version,
+                calibration=microscope.calibration.source,
+            )
         )
         self.say(f"Connected to [b]{escape(microscope.device.url)}[/].")
         camera = microscope.camera_info
@@ -225,11 +232,17 @@ class ReliefscopeApp(App[None]):
         self.preview.clear()
 
     def _show_unconnected(self) -> None:
-        self._instrument_bar.update("not connected")
+        self._instrument_bar.show_text("not connected")
+        self._clear_acquisition()
         self._light_bar.update("light off")
         self._light_bar.remove_class("lit")
         self._camera_panel.border_subtitle = ""
         self._camera_line.update(" press [b]c[/b] to connect")
+
+    def _clear_acquisition(self) -> None:
+        self._stage_line.update(READY)
+        self._progress.update(total=100, progress=0)
+        self._left_line.update("")
 
     def on_state_changed(self, _: StateChanged) -> None:
         """Draw what the device confirmed."""
@@ -363,7 +376,7 @@ class ReliefscopeApp(App[None]):
         self.push_screen(ConnectScreen(self._devices()), chosen)
 
     def _connect(self, url: str) -> None:
-        self._instrument_bar.update(f"connecting to {escape(url)} …")
+        self._instrument_bar.show_text(f"connecting to {escape(url)} …")
         self.engine.connect(url)
 
     def action_acquire(self) -> None:
@@ -395,6 +408,10 @@ class ReliefscopeApp(App[None]):
         if self.engine.busy:
             self.engine.cancel()
             self.say("Pausing after the current frame.")
+
+    def action_help_quit(self) -> None:
+        """Ctrl-C, which a terminal user may mean for a copy: tell the keys that do leave."""
+        self.notify("Press q to quit, ctrl+q while typing.", title="Quit?")
 
     def action_help(self) -> None:
         """Every key."""

@@ -99,8 +99,8 @@ class AcquireScreen(ModalScreen[AcquireRequest | None]):
                 yield Button("Cancel", id="cancel")
 
     def on_mount(self) -> None:
-        """Ready to start with Enter."""
-        self.query_one("#start").focus()
+        """The folder first; Enter starts from any field."""
+        self.query_one("#out").focus()
 
     def on_button_pressed(self, event: Button.Pressed) -> None:
         """Start, or not."""
@@ -137,7 +137,7 @@ HELP: tuple[tuple[str, tuple[tuple[str, str], ...]], ...] = (
             ("a", "acquire a run"),
             ("escape", "pause the acquisition after the current frame"),
             ("tab", "next panel"),
-            ("q", "quit; the light goes off"),
+            ("q", "quit; the light goes off (ctrl+q while typing)"),
         ),
     ),
     (
