@@ -8,6 +8,7 @@ from typing import Any
 import pytest
 
 from reliefscope import cli
+from reliefscope.cli.tables import readable_result
 from reliefscope.errors import ExitCode
 from reliefscope.microscope import Microscope, open_run
 from reliefscope.models.plan import Plan, default_plan
@@ -128,6 +129,16 @@ def test_reconstruct_prints_and_stores_the_result(run: Path, capsys: Captured) -
     assert cli.main(["reconstruct", str(run), "--no-pictures", "--overwrite"]) == ExitCode.OK
     assert f"results  {run / 'results' / 'paper'}\n" in capsys.readouterr().out
     assert open_run(run).results == ["paper"]
+
+
+def test_result_for_people_has_words_and_units(run: Path) -> None:
+    outcome = open_run(run).reconstruct(pictures=False)
+    shown = readable_result(outcome.facts(), stereo_quality=0.3, photometric_quality=0.25)
+    assert len(shown) == len(outcome.facts())
+    assert not [name for name in shown if "_" in name or name.endswith(" um")]
+    assert shown["height known in"].endswith("% of the valid pixels")
+    assert shown["size"] == "96 x 72 px"
+    assert shown["greatest memory"].endswith(" MB")
 
 
 def test_progress_as_json_lines(run: Path, capsys: Captured) -> None:

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping, Sequence
+from collections.abc import Callable, Mapping, Sequence
 from typing import TYPE_CHECKING, Any
 
 from rich.console import Console
@@ -119,19 +119,60 @@ def show_demo(console: Console, result: DemoResult) -> None:
 
 def show_reconstruction(console: Console, outcome: Outcome) -> None:
     """What a reconstruction found, and where it lies."""
-    facts = dict(outcome.facts())
     settings = outcome.reconstruction.settings
-    for name, limit in (
-        ("height_known", None),
-        ("stereo_accepted", settings.stereo_quality),
-        ("photometric_accepted", settings.photometric_quality),
-    ):
-        if name in facts:
-            least = "" if limit is None else f", quality {limit:g} or better"
-            facts[name] = f"{facts[name]:.1%} of the valid pixels{least}"
+    facts = readable_result(
+        outcome.facts(),
+        stereo_quality=settings.stereo_quality,
+        photometric_quality=settings.photometric_quality,
+    )
     show_facts(console, f"Reconstruction {outcome.name}", facts)
     show_stages(console, outcome.stages_s, outcome.total_s)
     _show_places(console, outcome)
+
+
+KINDS = {
+    "fused": "stereo and photometric stereo, fused",
+    "stereo": "stereo only",
+    "integrated": "integrated normals, no absolute height",
+}
+
+
+def readable_result(
+    facts: Mapping[str, Any], *, stereo_quality: float, photometric_quality: float
+) -> dict[str, str]:
+    """Figures of a result in words and with units; the qualities are the least that were accepted."""
+    share = "{:.1%} of the valid pixels".format
+    forms: dict[str, tuple[str, Callable[[Any], str]]] = {
+        "method": ("method", str),
+        "kind": ("surface from", lambda kind: KINDS.get(kind, str(kind))),
+        "size_px": ("size", lambda size: f"{size[0]} x {size[1]} px"),
+        "pixel_um": ("pixel on the sample", "{:g} µm".format),
+        "height_known": ("height known in", share),
+        "height_1_to_99_percent_um": (
+            "height, 1st to 99th percentile",
+            lambda span: f"{span[0]:.1f} to {span[1]:.1f} µm",
+        ),
+        "stereo_accepted": (
+            "stereo accepted in",
+            lambda part: f"{share(part)} (quality {stereo_quality:g} or better)",
+        ),
+        "stereo_quality_median": ("median quality of stereo", "{:.2f} (0 to 1)".format),
+        "photometric_accepted": (
+            "normals accepted in",
+            lambda part: f"{share(part)} (quality {photometric_quality:g} or better)",
+        ),
+        "photometric_quality_median": ("median quality of normals", "{:.2f} (0 to 1)".format),
+        "smoothing_parameter": ("parameter of the smoothing", "{:.3g}".format),
+        "full_scale": ("full scale of photometric stereo", "{:.3g} of the camera range".format),
+        "solver_iterations": ("iterations of the solver", "{:.0f}".format),
+        "solver_error_um": ("error left by the solver", "{:.2g} µm RMS".format),
+        "peak_memory_mb": ("greatest memory", "{:,.0f} MB".format),
+    }
+    shown: dict[str, str] = {}
+    for name, value in facts.items():
+        title, form = forms.get(name, (label(name), _text))
+        shown[title] = form(value)
+    return shown
 
 
 def _show_places(console: Console, outcome: Outcome) -> None:
