@@ -7,7 +7,12 @@ table in the guide is made from :class:`ExitCode`.
 
 from __future__ import annotations
 
+import shlex
 from enum import IntEnum
+from pathlib import Path
+
+DEFAULT_DEVICE = "sim://benchtop?scene=fiducial"
+"""Instrument that commands open where none is named."""
 
 
 class ExitCode(IntEnum):
@@ -114,3 +119,15 @@ class Cancelled(ReliefscopeError):  # noqa: N818 - it is a request that was hono
     """The user asked to stop; everything acquired so far is kept."""
 
     exit_code = ExitCode.CANCELLED
+
+
+def resume_command(run: Path, device: str = "") -> str:
+    """What to type to go on with the unfinished ``run``, for hints.
+
+    ``device`` is the address of the instrument that took it, empty where it is not known; the default one
+    needs no naming.
+    """
+    command = f"reliefscope acquire --resume {shlex.quote(str(run))}"
+    if device and device != DEFAULT_DEVICE:
+        command += f" --device '{device}'"
+    return f"`{command}`"
