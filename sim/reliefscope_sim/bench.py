@@ -73,6 +73,7 @@ class Bench:
         self.glass = self._board.glass
         self.leds = self._board.leds
         self.serial_number = self._board.serial_number
+        self.camera_serial = url.camera_serial
         self.shutter = Shutter(self.glass, self.leds, self.profile.camera.frames_per_s, self.faults)
         self.time_us = 0
         self._users = 0

@@ -30,7 +30,7 @@ class SimCamera:
         self._info = CameraInfo(
             vendor="reliefscope",
             model=f"{profile.camera.model}, simulated",
-            serial=bench.serial_number,
+            serial=bench.camera_serial,
             shape=profile.shape,
             sensor=profile.camera.sensor,
             bit_depth=profile.camera.bit_depth,

@@ -44,7 +44,7 @@ class Electronics:
         self.display = DisplayController(url.mounting, url.seed)
         self.glass = Glass(profile.glass, temperature_c=url.temperature_c)
         self.leds = LedLines(profile.dome.count, droop=url.led_droop)
-        self.serial_number = f"SIM-{url.identity}"[:16]
+        self.serial_number = url.device_serial
         self.in_bootloader = False
         self._name = f"{url.identity} {url.seed}"
         self._temperature_c = url.temperature_c

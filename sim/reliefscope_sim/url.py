@@ -9,6 +9,7 @@ dot (``scene.tilt_deg=10``).
 from __future__ import annotations
 
 import difflib
+import hashlib
 import math
 import re
 from dataclasses import dataclass, field
@@ -167,6 +168,26 @@ class SimUrl:
             given=tuple(sorted(given.items())),
         )
 
+    @property
+    def device_serial(self) -> str:
+        """Serial number of the device, at most 16 characters, which tells hidden departures apart.
+
+        Calibrations are kept by it, so that it depends on the instrument alone and not on the sample.
+        """
+        name = f"SIM-{self.identity}"
+        if self.as_built is None:
+            return name[:16]
+        return f"{name[:11]}-{_short_hash(self.as_built)[:4]}"
+
+    @property
+    def camera_serial(self) -> str:
+        """Serial number of the camera, which tells apart what else decides the pixels: scene and seed.
+
+        A run that was begun with one sample is not continued with another.
+        """
+        content = (self.scene, self.scene_options, self.seed)
+        return f"{self.device_serial}-{_short_hash(*content)}"
+
     def load_profile(self) -> InstrumentProfile:
         """The profile as designed, with the glass and the region of the camera that the address names."""
         profile = load_profile(self.profile)
@@ -229,6 +250,10 @@ class SimUrl:
 
 _OTHER_FIELDS = {"fault": "faults", "temperature": "temperature_c"}
 _FIELD_OF_KEY = {key: _OTHER_FIELDS.get(key, key) for key in KEYS if key != "finish"}
+
+
+def _short_hash(*content: object) -> str:
+    return hashlib.sha256(repr(content).encode("utf-8")).hexdigest()[:8]
 
 
 def _unknown_key(key: str) -> InvalidInputError:

@@ -2,6 +2,7 @@
 
 import json
 from collections.abc import Callable
+from pathlib import Path
 
 import pytest
 
@@ -136,3 +137,35 @@ def test_a_wrong_duration_names_its_option_and_unit(
 def test_bundle_of_an_absent_run(capsys: pytest.CaptureFixture[str]) -> None:
     assert cli.main(["bundle", "runs/nope"]) == ExitCode.DATASET
     assert "There is no run runs/nope" in " ".join(capsys.readouterr().err.split())
+
+
+@pytest.fixture
+def broken(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> tuple[Path, str, str]:
+    """A run that a fault ended: folder, address of the instrument, and what was printed."""
+    address = "sim://broken?size=32x24&seed=4&fault=camera_drop:9"
+    out = tmp_path / "my run"
+    arguments = ["acquire", "-d", address, "-o", str(out), "--progress", "none"]
+    assert cli.main(arguments) == ExitCode.CAMERA
+    return out.with_name("my run.partial"), address, " ".join(capsys.readouterr().err.split())
+
+
+def test_the_way_on_names_the_run_and_the_instrument(broken: tuple[Path, str, str]) -> None:
+    partial, address, shown = broken
+    assert "RUN" not in shown
+    shown = shown.replace(" ", "")  # lines are broken anywhere
+    assert f"acquire--resume'{partial}'--device'{address}'`".replace(" ", "") in shown
+
+
+@pytest.mark.parametrize("change", ["seed=5", "scene=flat", "as_built=3", "size=48x32"])
+def test_another_twin_does_not_go_on(
+    broken: tuple[Path, str, str], capsys: pytest.CaptureFixture[str], change: str
+) -> None:
+    partial, _, _ = broken
+    key = change.partition("=")[0]
+    options = {"size": "size=32x24", "seed": "seed=4"} | {key: change}
+    address = "sim://broken?" + "&".join(options.values())
+    status = cli.main(["acquire", "-d", address, "--resume", str(partial), "--progress", "none"])
+    shown = capsys.readouterr().err
+    assert status == ExitCode.INVALID_INPUT
+    assert "--profile" not in shown
+    assert "fault=camera_drop:9" in shown, "the instrument that began the run is named"

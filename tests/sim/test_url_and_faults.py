@@ -182,3 +182,17 @@ def test_the_reference_page_lists_every_option_and_fault():
     page = (REPOSITORY / "docs" / "reference" / "simulated-instrument.md").read_text("utf-8")
     for name in [*KEYS, *KNOWN]:
         assert f"| `{name}` |" in page, name
+
+
+def test_serial_numbers_tell_twins_apart():
+    url = SimUrl.parse("sim://benchtop?seed=4&scene=cone&as_built=3")
+    same = SimUrl.parse("sim://benchtop?seed=4&scene=cone&as_built=3&fault=camera_drop:3")
+    assert (same.device_serial, same.camera_serial) == (url.device_serial, url.camera_serial)
+    assert len(url.device_serial) <= 16
+    for change in ("seed=5&scene=cone", "seed=4&scene=flat", "seed=4&scene=cone&finish=dull"):
+        other = SimUrl.parse(f"sim://benchtop?as_built=3&{change}")
+        # a calibration belongs to the instrument, whatever lies under it
+        assert other.device_serial == url.device_serial
+        assert other.camera_serial != url.camera_serial
+    departed = SimUrl.parse("sim://benchtop?seed=4&scene=cone&as_built=4")
+    assert departed.device_serial != url.device_serial

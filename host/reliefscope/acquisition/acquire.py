@@ -21,6 +21,7 @@ from reliefscope.acquisition.preflight import (
     configure_camera,
     frame_format,
 )
+from reliefscope.acquisition.resuming import resumable
 from reliefscope.acquisition.storing import DiskThread
 from reliefscope.camera import RecordedCamera
 from reliefscope.dataset import (
@@ -116,7 +117,8 @@ def acquire(
             "sessions": (_session(device, camera.info),),
         }
     )
-    with RunWriter.create(out, spec.model_copy(update={"acquired": acquired})) as writer:
+    spec = spec.model_copy(update={"acquired": acquired})
+    with resumable(out), RunWriter.create(out, spec) as writer:
         return _take(writer, device, camera, ensure_job(job))
 
 
@@ -131,7 +133,7 @@ def resume(run: Path, device: Device, camera: Camera, job: Job | None = None) ->
         As for :func:`acquire`.
     """
     job = ensure_job(job)
-    with RunWriter.resume(run, job) as writer:
+    with resumable(run), RunWriter.resume(run, job) as writer:
         acquired = writer.spec.acquired
         if acquired is None:
             raise InvalidInputError(
@@ -140,7 +142,7 @@ def resume(run: Path, device: Device, camera: Camera, job: Job | None = None) ->
             )
         if not writer.missing():
             return Run.open(writer.finish(job))
-        check_camera(camera.info, acquired.profile)
+        check_camera(camera.info, acquired.profile, resuming=True)
         check_device(device, acquired.plan)
         camera = RecordedCamera(camera, device.log.note_camera)
         session = _session(device, camera.info)

@@ -30,7 +30,7 @@ log = logging.getLogger(__name__)
 
 MARGIN_S = 3.0
 """Added to what an exposure must take, before a wait for it ends."""
-_RESUME = "What was stored is kept; go on with `reliefscope acquire --resume RUN`."
+_KEPT = "What was stored is kept."
 
 
 @dataclass(frozen=True, slots=True)
@@ -95,7 +95,7 @@ class Pairing:
             else:
                 raise DeviceError(
                     f"An event of sequence {event.run_id} came during sequence {self._run_id}.",
-                    hint=f"Make sure that only one program uses the device. {_RESUME}",
+                    hint=f"Make sure that only one program uses the device. {_KEPT}",
                 )
         return None
 
@@ -123,17 +123,17 @@ class Pairing:
             if status.sequence is SequenceState.IDLE:
                 raise DeviceError(
                     f"The device ended the sequence before {name} without saying why.",
-                    hint=_RESUME,
+                    hint=_KEPT,
                 ) from error
             if not status.camera_ready:
                 raise CameraError(
                     f"The camera stalled: it does not get ready for {name}.",
-                    hint=f"Check its cable, supply and trigger mode. {_RESUME}",
+                    hint=f"Check its cable, supply and trigger mode. {_KEPT}",
                 ) from error
             raise DeviceError(
                 f"The device stalled: no exposure of {name} within {due_s + MARGIN_S:.1f} s "
                 f"(it says {status.sequence.name}).",
-                hint=_RESUME,
+                hint=_KEPT,
             ) from error
 
     def _heed(self, event: SequenceEvent) -> None:
@@ -146,18 +146,18 @@ class Pairing:
             ):
                 raise DeviceError(
                     f"The device counts {event.exposures} exposures, the host has {self._count}.",
-                    hint=_RESUME,
+                    hint=_KEPT,
                 )
         elif event.news is SequenceNews.ABORTED:
             raise DeviceError(
                 f"The sequence was aborted after {event.exposures} exposures.",
-                hint=f"Another program or a person stopped it. {_RESUME}",
+                hint=f"Another program or a person stopped it. {_KEPT}",
             )
 
     def _pair(self, event: ExposureEvent) -> Exposure:
         if self._step == len(self._batch.steps):
             raise DeviceError(
-                f"The device made more exposures than the {self._count} of the table.", hint=_RESUME
+                f"The device made more exposures than the {self._count} of the table.", hint=_KEPT
             )
         step, name = self._batch.steps[self._step], self._batch.requests[self._step].key
         for what, found, expected in (
@@ -173,12 +173,12 @@ class Pairing:
             if found != expected:
                 raise DeviceError(
                     f"The device confirmed {what} {found} instead of {expected} for {name}.",
-                    hint=f"The image was not stored. {_RESUME}",
+                    hint=f"The image was not stored. {_KEPT}",
                 )
         if event.settle_waited_us < step.settle_us:
             raise DeviceError(
                 f"The device waited {event.settle_waited_us} us instead of {step.settle_us} us before {name}.",
-                hint=f"The image was not stored. {_RESUME}",
+                hint=f"The image was not stored. {_KEPT}",
             )
         exposure = Exposure(self._step, self._repeat, event, self._next_frame(name))
         self._count += 1
@@ -196,21 +196,21 @@ class Pairing:
             raise CameraError(
                 f"The camera stalled: the frame of exposure {self._count} ({name}) did not come within "
                 f"{timeout_s:.1f} s; {self._camera.dropped} frames were lost.",
-                hint=f"Check its cable, its trigger mode and the load of this computer. {_RESUME}",
+                hint=f"Check its cable, its trigger mode and the load of this computer. {_KEPT}",
             ) from error
         if frame.frame_id != self._count:
             happened = "lost a frame" if frame.frame_id > self._count else "gave a frame twice"
             raise CameraError(
                 f"The camera {happened}: number {frame.frame_id} came instead of {self._count} ({name}); "
                 f"{self._camera.dropped} frames were lost.",
-                hint=f"Check its cable and the load of this computer. {_RESUME}",
+                hint=f"Check its cable and the load of this computer. {_KEPT}",
             )
         return frame
 
 
 def _fault(event: FaultEvent) -> ReliefscopeError:
     """The error of a fault, with the part that is to blame."""
-    hint = f"{event.reason.cause} {event.reason.next_step} {_RESUME}"
+    hint = f"{event.reason.cause} {event.reason.next_step} {_KEPT}"
     if event.reason in (FaultReason.CAMERA_NOT_READY, FaultReason.CAMERA_NO_STROBE):
         message = f"The camera stalled at step {event.step}: {event.reason.description}"
         return CameraError(message, hint=hint)

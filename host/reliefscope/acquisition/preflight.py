@@ -114,8 +114,12 @@ def check_device(device: Device, plan: Plan) -> None:
         )
 
 
-def check_camera(info: CameraInfo, profile: InstrumentProfile) -> None:
-    """Refuse a camera whose frames are not those of the profile."""
+def check_camera(info: CameraInfo, profile: InstrumentProfile, *, resuming: bool = False) -> None:
+    """Refuse a camera whose frames are not those of the profile, which is fixed once a run has begun."""
+    advice = "Open the right camera, or "
+    advice += (
+        "begin a new run." if resuming else "give the profile that belongs to it with `--profile`."
+    )
     camera = profile.camera
     for what, found, expected in (
         ("frames of (rows, columns)", info.shape, profile.shape),
@@ -124,13 +128,13 @@ def check_camera(info: CameraInfo, profile: InstrumentProfile) -> None:
     ):
         if found != expected:
             raise InvalidInputError(
-                f"The camera {info.vendor} {info.model} gives {what} {found}; the profile "
-                f"{profile.name} says {expected}.",
-                hint="Open the right camera, or give the profile that belongs to it with `--profile`.",
+                f"The camera has {what} {found}, but the profile {profile.name} says {expected} "
+                f"(camera: {info.vendor} {info.model}).",
+                hint=advice,
             )
     if not info.trigger_inputs:
         raise InvalidInputError(
-            f"The camera {info.vendor} {info.model} has no trigger input.",
+            f"The camera has no trigger input ({info.vendor} {info.model}).",
             hint="An acquisition needs a camera that the device can trigger.",
         )
 

@@ -74,7 +74,7 @@ class DiskThread:
         return DatasetError(
             f"The disk stalled: no image was stored for {STALL_S:g} s.",
             hint="Check the disk; then go on with "
-            f"`reliefscope acquire --resume {self._writer.folder}`.",
+            f"{self._writer.spec.resume_command(self._writer.folder)}.",
         )
 
     def _work(self) -> None:

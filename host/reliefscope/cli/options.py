@@ -9,7 +9,6 @@ from typing import Annotated
 
 import typer
 
-from reliefscope.errors import DEFAULT_DEVICE as DEFAULT_DEVICE
 from reliefscope.errors import InvalidInputError
 
 METHOD_NAMES = ("paper", "robust", "joint")

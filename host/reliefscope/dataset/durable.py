@@ -18,13 +18,14 @@ from reliefscope.errors import DatasetError
 _NO_SPACE = {errno.ENOSPC, errno.EDQUOT, errno.EFBIG}
 
 
-def disk_error(error: OSError, path: Path) -> DatasetError:
-    """The error that a user meets when writing ``path`` failed."""
+def disk_error(error: OSError, path: Path, resume: str = "") -> DatasetError:
+    """The error that a user meets when writing ``path`` failed; ``resume`` is the command that goes on."""
+    after = f", then go on with {resume}" if resume else ""
     if error.errno in _NO_SPACE:
         return DatasetError(
             f"The disk is full: {path} could not be written.",
-            hint=f"Everything journalled so far is kept. Free some space (`df -h {path.parent}`), then "
-            "go on with `reliefscope acquire --resume RUN`.",
+            hint=f"Everything journalled so far is kept. Free some space (`df -h {path.parent}`)"
+            f"{after}.",
         )
     return DatasetError(
         f"{path} could not be written: {error.strerror or error}.",

@@ -21,7 +21,7 @@ from reliefscope.dataset.lock import RunLock
 from reliefscope.dataset.radiometry import Radiometry
 from reliefscope.dataset.records import JOURNAL_FILE, FrameKey, Journal, JournalEntry, key_text
 from reliefscope.dataset.sensor_image import colour, luminance
-from reliefscope.dataset.spec import RunSpec, read_spec
+from reliefscope.dataset.spec import RunSpec, read_spec, resume_command_of
 from reliefscope.dataset.verify import VerifyReport, verify_frames
 from reliefscope.dataset.writer import PARTIAL_SUFFIX, partial_path
 from reliefscope.errors import DatasetError, InvalidInputError
@@ -71,7 +71,7 @@ class Run:
             if partial.is_dir():
                 raise DatasetError(
                     f"The run {folder} is not finished: there is only {partial}.",
-                    hint=f"Finish it with `reliefscope acquire --resume {partial}`, or open {partial} as it is.",
+                    hint=f"Finish it with {resume_command_of(partial)}, or open {partial} as it is.",
                 )
             raise DatasetError(
                 f"There is no run {folder}.", hint=f"Look for it: `ls {folder.absolute().parent}`."

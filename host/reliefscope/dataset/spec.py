@@ -10,7 +10,7 @@ from typing import Annotated, Literal
 from pydantic import Field, model_validator
 
 from reliefscope.dataset.durable import disk_error, write_file
-from reliefscope.errors import DatasetError, InvalidInputError
+from reliefscope.errors import DatasetError, InvalidInputError, resume_command
 from reliefscope.models.base import StrictModel, parse_model
 from reliefscope.models.calibration import Calibration
 from reliefscope.models.instrument import InstrumentProfile, Sensor
@@ -188,10 +188,15 @@ class RunSpec(StrictModel):
             for light in range(len(imported.lights)):
                 yield FrameRequest(kind="view", view=view, light=light)
 
+    def resume_command(self, folder: Path) -> str:
+        """What to type to go on with this run, with the address of the instrument that took it last."""
+        sessions = self.acquired.sessions if self.acquired else ()
+        return resume_command(folder, sessions[-1].device.get("url", "") if sessions else "")
+
     def repair_hint(self, folder: Path) -> str:
         """What to type to get frames back that are missing or damaged."""
         if self.acquired:
-            return f"`reliefscope acquire --resume {folder}` takes them again; nothing was deleted."
+            return f"{self.resume_command(folder)} takes again what is missing or damaged; nothing was deleted."
         return "Import the photographs again under another name; nothing was deleted."
 
     def storage_bytes(self) -> int:
@@ -245,3 +250,11 @@ def read_spec(folder: Path) -> RunSpec:
         raise DatasetError(
             error.message, hint=f"Restore {SPEC_FILE} from a copy of the run."
         ) from None
+
+
+def resume_command_of(folder: Path) -> str:
+    """What to type to go on with the run in ``folder``, as far as its description can be read."""
+    try:
+        return read_spec(folder).resume_command(folder)
+    except DatasetError:
+        return resume_command(folder)

@@ -31,7 +31,7 @@ from reliefscope.dataset.records import (
     key_text,
     pixel_hash,
 )
-from reliefscope.dataset.spec import RunSpec, read_spec, write_spec
+from reliefscope.dataset.spec import RunSpec, read_spec, resume_command_of, write_spec
 from reliefscope.dataset.verify import VerifyReport, verify_frames
 from reliefscope.errors import DatasetError, InvalidInputError, OutputExistsError
 from reliefscope.jobs import Job
@@ -74,6 +74,14 @@ def host_identity() -> dict[str, str]:
     }
 
 
+def _free_name(path: Path) -> Path:
+    """A name like ``path`` that no run has, finished or not."""
+    candidates = (path.with_name(f"{path.name}-{number}") for number in itertools.count(2))
+    return next(
+        name for name in candidates if not name.exists() and not partial_path(name).exists()
+    )
+
+
 def check_output(path: Path, needed_bytes: int = 0) -> None:
     """Refuse a place that is taken or too small, before anything moves.
 
@@ -93,12 +101,13 @@ def check_output(path: Path, needed_bytes: int = 0) -> None:
     if partial.exists():
         raise OutputExistsError(
             f"{partial} exists: an unfinished run of this name.",
-            hint=f"Finish it with `reliefscope acquire --resume {partial}` (an unfinished import: "
+            hint=f"Finish it with {resume_command_of(partial)} (an unfinished import: "
             "remove it), or choose another name.",
         )
     if path.exists():
         raise OutputExistsError(
-            f"{path} exists; nothing was overwritten.", hint="Choose another name."
+            f"{path} exists; nothing was overwritten.",
+            hint=f"Choose another name: `--out {_free_name(path)}`.",
         )
     place = path.absolute().parent
     while not place.exists():
@@ -252,7 +261,7 @@ class RunWriter:
             self._store.write(key, raw)
             self._file.append(entry.model_dump_json().encode("utf-8"))
         except OSError as error:
-            raise disk_error(error, chunk) from error
+            raise disk_error(error, chunk, self.spec.resume_command(self.folder)) from error
         self._journal.entries[key] = entry
         self._damaged.discard(key)
         return entry
@@ -285,7 +294,7 @@ class RunWriter:
             self.folder.rename(final)
             sync_folder(final.parent)
         except OSError as error:
-            raise disk_error(error, final) from error
+            raise disk_error(error, final, self.spec.resume_command(self.folder)) from error
         self.folder = final
         return final
 

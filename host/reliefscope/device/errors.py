@@ -87,7 +87,6 @@ class DeviceRebootedError(DeviceError):
     def __init__(self, cause: ResetCause) -> None:
         super().__init__(
             f"The device restarted ({cause.name}): {cause.description}",
-            hint="Its light is off; slots and step table are gone. Connect again and repeat the command; "
-            "an acquisition continues with: reliefscope acquire --resume RUN",
+            hint="Its light is off; slots and step table are gone. Connect again and repeat the command.",
         )
         self.cause = cause

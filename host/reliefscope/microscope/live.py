@@ -14,6 +14,7 @@ from typing import Any, Self
 import numpy as np
 
 from reliefscope.acquisition import acquire as acquire_run
+from reliefscope.acquisition import resumable
 from reliefscope.acquisition import resume as resume_run
 from reliefscope.camera import offers_camera, open_camera
 from reliefscope.device import Device, Step
@@ -27,7 +28,6 @@ from reliefscope.microscope.instruments import Instrument, resolve_instrument
 from reliefscope.microscope.places import fresh_path
 from reliefscope.microscope.sequences import (
     expose_once,
-    resumable,
     summarise_plan,
     watched,
 )

@@ -1,17 +1,14 @@
-"""Parts of an acquisition that the microscope adds: what a plan takes, one exposure, how to go on."""
+"""Parts of an acquisition that the microscope adds: what a plan takes, one exposure, frames seen twice."""
 
 from __future__ import annotations
 
 import random
-from collections.abc import Callable, Iterator
-from contextlib import contextmanager
-from pathlib import Path
+from collections.abc import Callable
 from typing import Any
 
-from reliefscope.dataset.writer import PARTIAL_SUFFIX, partial_path
 from reliefscope.device import Device, ExposureEvent, FaultEvent, SequenceEvent, SequenceNews, Step
 from reliefscope.device.sequence import SequenceTiming, sequence_duration_s
-from reliefscope.errors import DeviceError, OutputExistsError, ReliefscopeError
+from reliefscope.errors import DeviceError
 from reliefscope.microscope.instruments import Instrument
 from reliefscope.models.camera import Camera, CameraInfo, CameraSettings, Frame
 from reliefscope.models.plan import Plan
@@ -65,21 +62,6 @@ def expose_once(device: Device, camera: Camera, step: Step) -> Frame:
             return frame
         elif isinstance(event, SequenceEvent) and event.news is SequenceNews.ABORTED:
             raise DeviceError("The exposure was ended before it was made.", hint="Take it again.")
-
-
-@contextmanager
-def resumable(run: Path) -> Iterator[None]:
-    """Tell how to go on where an acquisition that had begun ends early."""
-    partial = run if run.name.endswith(PARTIAL_SUFFIX) else partial_path(run)
-    try:
-        yield
-    except OutputExistsError:
-        raise
-    except ReliefscopeError as error:
-        if partial.is_dir() and "--resume" not in error.hint:
-            advice = f"Go on with: `reliefscope acquire --resume {partial}`."
-            error.hint = f"{error.hint}\n{advice}" if error.hint else advice
-        raise
 
 
 def watched(camera: Camera, on_frame: Callable[[Frame], None]) -> Camera:

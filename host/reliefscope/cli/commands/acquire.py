@@ -9,7 +9,6 @@ from typing import TYPE_CHECKING, Annotated
 import typer
 
 from reliefscope.cli.options import (
-    DEFAULT_DEVICE,
     CalibrationOption,
     CameraOption,
     DeviceOption,
@@ -19,7 +18,7 @@ from reliefscope.cli.options import (
     ProgressOption,
 )
 from reliefscope.cli.session import Session, session
-from reliefscope.errors import InvalidInputError
+from reliefscope.errors import DEFAULT_DEVICE, InvalidInputError
 
 if TYPE_CHECKING:
     from reliefscope.microscope import Microscope, StoredRun

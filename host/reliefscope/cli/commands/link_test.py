@@ -7,14 +7,13 @@ from typing import TYPE_CHECKING, Annotated
 import typer
 
 from reliefscope.cli.options import (
-    DEFAULT_DEVICE,
     DEVICE_VARIABLE,
     JsonFlag,
     ProgressMode,
     ProgressOption,
 )
 from reliefscope.cli.session import session
-from reliefscope.errors import ExitCode
+from reliefscope.errors import DEFAULT_DEVICE, ExitCode
 
 if TYPE_CHECKING:
     from rich.console import Console
