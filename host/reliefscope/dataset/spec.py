@@ -196,7 +196,7 @@ class RunSpec(StrictModel):
     def repair_hint(self, folder: Path) -> str:
         """What to type to get frames back that are missing or damaged."""
         if self.acquired:
-            return f"{self.resume_command(folder)} takes again what is missing or damaged; nothing was deleted."
+            return f"{self.resume_command(folder)} takes again what was lost; nothing was deleted."
         return "Import the photographs again under another name; nothing was deleted."
 
     def storage_bytes(self) -> int:
