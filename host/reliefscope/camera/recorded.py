@@ -8,28 +8,19 @@ from typing import Any
 
 import numpy as np
 
-from reliefscope.models.camera import Camera, CameraInfo, CameraSettings, Frame
+from reliefscope.camera.forwarding import ForwardingCamera
+from reliefscope.models.camera import Camera, CameraSettings, Frame
 
 
-class RecordedCamera:
+class RecordedCamera(ForwardingCamera):
     """Passes everything on to ``camera`` and notes it: the request first, a frame when it came, with its CRC-32.
 
     ``note(request, content)`` is called in the thread that uses the camera.
     """
 
     def __init__(self, camera: Camera, note: Callable[[str, Mapping[str, Any]], None]) -> None:
-        self._camera = camera
+        super().__init__(camera)
         self._note = note
-
-    @property
-    def info(self) -> CameraInfo:
-        """Identity and form of the frames."""
-        return self._camera.info
-
-    @property
-    def dropped(self) -> int:
-        """Frames lost since it was armed."""
-        return self._camera.dropped
 
     def configure(self, settings: CameraSettings) -> CameraSettings:
         """Set exposure, gain and trigger."""
@@ -39,16 +30,16 @@ class RecordedCamera:
             "trigger": settings.trigger,
         }
         self._note("configure", content)
-        return self._camera.configure(settings)
+        return super().configure(settings)
 
     def arm(self) -> None:
         """Get ready."""
         self._note("arm", {})
-        self._camera.arm()
+        super().arm()
 
     def next_frame(self, timeout_s: float) -> Frame:
         """The next frame in order."""
-        frame = self._camera.next_frame(timeout_s)
+        frame = super().next_frame(timeout_s)
         content = {
             "frame_id": frame.frame_id,
             "time_us": frame.time_us,
@@ -60,8 +51,4 @@ class RecordedCamera:
     def disarm(self) -> None:
         """Stop."""
         self._note("disarm", {})
-        self._camera.disarm()
-
-    def close(self) -> None:
-        """Let go of the camera."""
-        self._camera.close()
+        super().disarm()

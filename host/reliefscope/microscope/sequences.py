@@ -6,11 +6,12 @@ import random
 from collections.abc import Callable
 from typing import Any
 
+from reliefscope.camera.forwarding import ForwardingCamera
 from reliefscope.device import Device, ExposureEvent, FaultEvent, SequenceEvent, SequenceNews, Step
 from reliefscope.device.sequence import SequenceTiming, sequence_duration_s
 from reliefscope.errors import DeviceError
 from reliefscope.microscope.instruments import Instrument
-from reliefscope.models.camera import Camera, CameraInfo, CameraSettings, Frame
+from reliefscope.models.camera import Camera, Frame
 from reliefscope.models.plan import Plan
 from reliefscope.units import format_bytes, format_duration
 
@@ -69,34 +70,14 @@ def watched(camera: Camera, on_frame: Callable[[Frame], None]) -> Camera:
     return _WatchedCamera(camera, on_frame)
 
 
-class _WatchedCamera:
+class _WatchedCamera(ForwardingCamera):
     """A camera whose frames somebody else sees as well."""
 
     def __init__(self, camera: Camera, on_frame: Callable[[Frame], None]) -> None:
-        self._camera = camera
+        super().__init__(camera)
         self._on_frame = on_frame
 
-    @property
-    def info(self) -> CameraInfo:
-        return self._camera.info
-
-    @property
-    def dropped(self) -> int:
-        return self._camera.dropped
-
-    def configure(self, settings: CameraSettings) -> CameraSettings:
-        return self._camera.configure(settings)
-
-    def arm(self) -> None:
-        self._camera.arm()
-
     def next_frame(self, timeout_s: float) -> Frame:
-        frame = self._camera.next_frame(timeout_s)
+        frame = super().next_frame(timeout_s)
         self._on_frame(frame)
         return frame
-
-    def disarm(self) -> None:
-        self._camera.disarm()
-
-    def close(self) -> None:
-        self._camera.close()

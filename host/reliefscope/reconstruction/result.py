@@ -20,7 +20,7 @@ from zipfile import BadZipFile
 import numpy as np
 from numpy.typing import NDArray
 
-from reliefscope import __version__
+from reliefscope import __version__, axes
 from reliefscope.errors import DatasetError, InvalidInputError, OutputExistsError
 from reliefscope.reconstruction.settings import Settings
 from reliefscope.units import BoolImage, FloatImage
@@ -88,10 +88,7 @@ class Reconstruction:
     @property
     def slant_rad(self) -> FloatImage | None:
         """Angle (H, W) between the normals and the optical axis."""
-        if self.normals is None:
-            return None
-        slant: FloatImage = np.arccos(np.clip(self.normals[..., 2], -1.0, 1.0)).astype(np.float32)
-        return slant
+        return None if self.normals is None else axes.slant_rad(self.normals)
 
     def summary(self) -> dict[str, Any]:
         """Figures for people and programs."""
