@@ -14,6 +14,7 @@ Model                   Source                                              Para
 :func:`ggx`             Walter 2007, Heitz 2014, Schlick 1994               width alpha 0..1, F0 0..1
 :func:`ggx_metal`       the same with Fresnel's equations                   alpha, index n + i k
 :func:`ggx_dielectric`  the same over a diffuser below a smooth boundary    alpha, index n > 1, albedo 0..1
+:func:`coated`          Schlick 1994, Ashikhmin and Shirley 2000            F0 0..1, diffuse part
 :func:`hapke`           Hapke 1981, 2002                                    w 0..1, b 0..1, c -1..1, B0 >= 0, h > 0
 ======================  ==================================================  ======================================
 
@@ -24,10 +25,25 @@ For colour, call a model once per channel with that channel's parameters.
 from __future__ import annotations
 
 import math
+from typing import NamedTuple
 
 from numba import njit
 
 PI = math.pi
+
+
+class HapkePhase(NamedTuple):
+    """How a layer of grains scatters, but for the albedo of its grains; see :func:`hapke`."""
+
+    b: float
+    c: float
+    b0: float
+    width: float
+
+
+REGOLITH = HapkePhase(b=0.25, c=0.3, b0=0.8, width=0.06)
+"""Rough, moderately backscattering grains with the surge of dark powders (assumed: within the range that fits to
+planetary soils and to laboratory powders give)."""
 
 
 @njit(cache=True, inline="always", fastmath=True)
@@ -38,10 +54,14 @@ def lambert(albedo: float) -> float:
 
 @njit(cache=True, inline="always", fastmath=True)
 def fresnel(f0: float, vh: float) -> float:
-    """Schlick's reflectance at the half angle, ``f0`` at normal incidence."""
+    """Schlick's reflectance at the half angle, ``f0`` at normal incidence.
+
+    It rises to 1 at grazing angles, but below an ``f0`` of 0.02, which no solid in air has, only to ``50 f0``
+    (Lagarde and de Rousiers 2014), so that a surface without gloss has none.
+    """
     missing = 1.0 - vh
     squared = missing * missing
-    return f0 + (1.0 - f0) * squared * squared * missing
+    return f0 + (min(1.0, 50.0 * f0) - f0) * squared * squared * missing
 
 
 @njit(cache=True, inline="always", fastmath=True)
@@ -136,6 +156,25 @@ def ggx_dielectric(
     leaving = (1.0 - diffuse_fresnel(index)) / (index * index)
     entering = (1.0 - fresnel_dielectric(index, nl)) * (1.0 - fresnel_dielectric(index, nv))
     return gloss + entering * albedo / (index * index * (1.0 - albedo * (1.0 - leaving)))
+
+
+@njit(cache=True, inline="always", fastmath=True)
+def coated(nl: float, nv: float, f0: float, diffuse: float) -> float:
+    """``pi f_r`` of a diffuse surface below facets: what they reflect does not reach it, nor leave it.
+
+    ``diffuse`` is the surface's own ``pi f_r``, ``f0`` the facets' reflectance at normal incidence.  With
+    ``R(x) = (1 - F(x)) / (1 - F0)`` by :func:`fresnel` and its cosine-weighted mean ``M`` it is multiplied by
+    ``R(nl) R(nv) / M``.  So of light at the cosine ``nl`` a Lambert surface of ``albedo`` returns
+    ``albedo R(nl)``, and with smooth facets on top ``F(nl) + albedo R(nl)``: all light where
+    ``albedo = 1 - F0``, at every angle, and never more.  The same form as in :func:`ggx_dielectric`; here
+    ``albedo`` is the share that comes back of light from straight above.
+    """
+    grazing = (min(1.0, 50.0 * f0) - f0) / max(1.0 - f0, 1e-6)
+    toward, away = 1.0 - nl, 1.0 - nv
+    toward2, away2 = toward * toward, away * away
+    entering = 1.0 - grazing * toward2 * toward2 * toward
+    leaving = 1.0 - grazing * away2 * away2 * away
+    return diffuse * entering * leaving / (1.0 - grazing / 21.0)
 
 
 @njit(cache=True, inline="always", fastmath=True)

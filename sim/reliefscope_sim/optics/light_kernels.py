@@ -129,7 +129,7 @@ def add_gloss(
 ) -> None:
     """Add to ``radiance`` (C, H', W') ``share`` of the GGX lobe of light ``direct`` from ``led``.
 
-    It is seen along the unit vector ``view``, and has no colour.
+    It is seen along the unit vector ``view``; ``specular`` is (C, H', W').
     """
     rows, columns = direct.shape
     channels = len(radiance)
@@ -154,8 +154,9 @@ def add_gloss(
             half = np.float32(1.0) / math.sqrt(hx * hx + hy * hy + hz * hz)
             nh = nz * half * (hz - p * hx - q * hy)
             vh = half * (view[0] * hx + view[1] * hy + view[2] * hz)
-            lobe = ggx(nl, nv, nh, vh, roughness[row, column], specular[row, column])
+            alpha = roughness[row, column]
             for channel in range(channels):
+                lobe = ggx(nl, nv, nh, vh, alpha, specular[channel, row, column])
                 radiance[channel, row, column] += factor * arriving * lobe
 
 

@@ -19,8 +19,9 @@ class Surface:
     """Height and materials (H', W') on the grid of a frame (H, W) with ``margin`` pixels around it.
 
     Heights are in pixels of this level (``pixel_um``), slopes ``rise_x``, ``rise_y`` are dz/dx and dz/dy
-    with y up.  ``albedo`` is (C, H', W') with one channel or three.  Column ``margin + centre_column`` and
-    row ``margin + centre_row`` lie on the optical axis.
+    with y up.  ``albedo`` and ``specular`` are (C, H', W') with one channel or three; what the maps mean is said
+    with :class:`~reliefscope_sim.scenes.scene.Scene`.  Column ``margin + centre_column`` and row
+    ``margin + centre_row`` lie on the optical axis.
     """
 
     pixel_um: float
@@ -32,8 +33,10 @@ class Surface:
     rise_x: FloatImage
     rise_y: FloatImage
     albedo: FloatImage
-    specular: FloatImage | None
-    roughness: FloatImage | None
+    specular: FloatImage | None = None
+    roughness: FloatImage | None = None
+    diffuse_sigma_rad: FloatImage | None = None
+    hapke: FloatImage | None = None
 
     @property
     def lowest_px(self) -> float:
@@ -55,7 +58,7 @@ class Surface:
         """Fraction of light (H', W') that leaves again, without colour, for light between surfaces."""
         total: FloatImage = self.albedo.mean(axis=0)
         if self.specular is not None:
-            total = total + self.specular
+            total = total + self.specular.mean(axis=0)
         return np.minimum(total, np.float32(0.95))
 
     @classmethod
@@ -64,7 +67,7 @@ class Surface:
     ) -> Surface:
         """Resample ``scene`` onto a frame; ``steepest`` is the largest lean of a ray that must stay inside.
 
-        Without ``colour`` the albedo is reduced to its mean.
+        Without ``colour``, colours are reduced to the mean of their channels.
         """
         reach_px = float(np.abs(scene.height_um).max()) / pixel_um
         margin = _aligned(int(np.ceil(steepest * reach_px)) + 8)
@@ -92,12 +95,19 @@ class Surface:
                 )
             )
 
-        channels = scene.albedo if scene.coloured else scene.albedo[..., None]
-        if not colour:
-            channels = channels.mean(axis=2, keepdims=True)
-        planes = [
-            resample(np.ascontiguousarray(channels[..., c])) for c in range(channels.shape[2])
-        ]
+        def optional(values: FloatImage | None) -> FloatImage | None:
+            return None if values is None else resample(values)
+
+        def planes(values: FloatImage) -> FloatImage:
+            channels = values if values.ndim == 3 else values[..., None]
+            if not colour:
+                channels = channels.mean(axis=2, keepdims=True)
+            elif scene.coloured:
+                channels = np.broadcast_to(channels, (*channels.shape[:2], 3))
+            return np.stack(
+                [resample(np.ascontiguousarray(c)) for c in np.moveaxis(channels, 2, 0)]
+            )
+
         height_px: FloatImage = resample(scene.height_um) / np.float32(pixel_um)
         rise_x, rise_y = _slopes(height_px)
         return cls(
@@ -109,9 +119,11 @@ class Surface:
             height_px=height_px,
             rise_x=rise_x,
             rise_y=rise_y,
-            albedo=np.stack(planes),
-            specular=None if scene.specular is None else resample(scene.specular),
-            roughness=None if scene.roughness is None else resample(scene.roughness),
+            albedo=planes(scene.albedo),
+            specular=None if scene.specular is None else planes(scene.specular),
+            roughness=optional(scene.roughness),
+            diffuse_sigma_rad=optional(scene.diffuse_sigma_rad),
+            hapke=optional(scene.hapke),
         )
 
     def coarser(self, factor: int) -> Surface:
@@ -119,6 +131,12 @@ class Surface:
 
         def shrink(values: FloatImage) -> FloatImage:
             return block_mean(values, factor)
+
+        def optional(values: FloatImage | None) -> FloatImage | None:
+            return None if values is None else shrink(values)
+
+        def planes(values: FloatImage) -> FloatImage:
+            return np.stack([shrink(channel) for channel in values])
 
         height_px: FloatImage = shrink(self.height_px) / np.float32(factor)
         rise_x, rise_y = _slopes(height_px)
@@ -132,9 +150,11 @@ class Surface:
             height_px=height_px,
             rise_x=rise_x,
             rise_y=rise_y,
-            albedo=np.stack([shrink(channel) for channel in self.albedo]),
-            specular=None if self.specular is None else shrink(self.specular),
-            roughness=None if self.roughness is None else shrink(self.roughness),
+            albedo=planes(self.albedo),
+            specular=None if self.specular is None else planes(self.specular),
+            roughness=optional(self.roughness),
+            diffuse_sigma_rad=optional(self.diffuse_sigma_rad),
+            hapke=optional(self.hapke),
         )
 
 

@@ -70,6 +70,7 @@ def fiducial(seed: int, options: Options, shape: tuple[int, int], pixel_um: floa
             film * finish.specular * np.exp(-np.float32(finish.albedo_spread) * field), 0.0, 0.95
         ).astype(np.float32)
         roughness = np.full(shape, finish.roughness, dtype=np.float32)
+        albedo = np.minimum(albedo, 1 - specular)
     return Scene("fiducial", pixel_um, height_um, albedo, specular, roughness)
 
 
