@@ -67,6 +67,7 @@ class Darkroom:
             # Late: who only talks to the device does not wait for numba.
             from reliefscope_sim.optics import Renderer
             from reliefscope_sim.scenes import load_scene
+            from reliefscope_sim.stage import lifted
 
             scene = load_scene(
                 self._url.scene,
@@ -75,6 +76,7 @@ class Darkroom:
                 shape=self._profile.shape,
                 pixel_um=self._profile.pixel_um,
             )
+            scene = lifted(scene, self._url.stage_um)
             as_built = self._url.load_as_built(self._profile)
             self._renderer = Renderer(self._profile, scene, as_built, self._profile.shape)
         return self._renderer

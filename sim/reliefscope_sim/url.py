@@ -30,9 +30,11 @@ SCHEME = "sim"
 DEFAULT_PROFILE = "benchtop"
 STN_CONTRAST = 10.0
 """Typical of positive STN glass (variant E); film-compensated glass (S) reaches 15."""
+STAGE_RANGE_UM = (-1000.0, 1000.0)
 KEYS = {
     "scene": "what lies under the instrument (default: fiducial)",
     "finish": "surface of the scene: dull, half or metallic (where the scene has finishes)",
+    "stage_um": "height to which the stage lifts the sample, in um (default: 0)",
     "seed": "seed of everything random (default: 1)",
     "profile": "instrument profile by name or path",
     "as_built": "seed of hidden departures from the profile (default: none)",
@@ -59,6 +61,7 @@ class SimUrl:
     """What the device calls itself: the name, or that of the recording that is replayed."""
     scene: str = "fiducial"
     scene_options: tuple[tuple[str, str], ...] = ()
+    stage_um: float = 0.0
     seed: int = 1
     profile: str = DEFAULT_PROFILE
     as_built: int | None = None
@@ -147,6 +150,7 @@ class SimUrl:
             replay=options.get("replay"),
             scene=options.get("scene", "fiducial"),
             scene_options=tuple(sorted(scene_options.items())),
+            stage_um=_within("stage_um", options, STAGE_RANGE_UM),
             seed=seed,
             profile=options.get("profile", default_profile),
             as_built=as_built,
@@ -181,11 +185,13 @@ class SimUrl:
 
     @property
     def camera_serial(self) -> str:
-        """Serial number of the camera, which tells apart what else decides the pixels: scene and seed.
+        """Serial number of the camera, which tells apart what else decides the pixels: scene, stage and seed.
 
         A run that was begun with one sample is not continued with another.
         """
-        content = (self.scene, self.scene_options, self.seed)
+        content: tuple[object, ...] = (self.scene, self.scene_options, self.seed)
+        if self.stage_um:
+            content = (*content, self.stage_um)
         return f"{self.device_serial}-{_short_hash(*content)}"
 
     def load_profile(self) -> InstrumentProfile:

@@ -20,6 +20,7 @@ def test_every_option():
         "sim://benchtop?scene=plane&scene.tilt_deg=10&finish=dull&seed=5&as_built=9&size=96x72"
         "&time=real&glass=E&mounting=top_view&fault=camera_drop:3&fault=link_loss:0.5"
         "&calibration=nominal&profile=benchtop&contrast=12&temperature=-5&led_droop=0.05&bits=8"
+        "&stage_um=-12.5"
     )
     assert {key for key, _ in url.given} - {"scene.tilt_deg"} == set(KEYS) - {"replay"}
     assert (url.scene, url.seed, url.as_built, url.size) == ("plane", 5, 9, (96, 72))
@@ -32,7 +33,7 @@ def test_every_option():
     assert profile.shape == (72, 96)
     assert profile.glass.variant == "E"
     assert (profile.glass.contrast_ratio, profile.camera.bit_depth) == (12, 8)
-    assert (url.temperature_c, url.led_droop) == (-5, 0.05)
+    assert (url.temperature_c, url.led_droop, url.stage_um) == (-5, 0.05, -12.5)
 
 
 def test_positive_glass_has_less_contrast_than_negative():
@@ -189,7 +190,12 @@ def test_serial_numbers_tell_twins_apart():
     same = SimUrl.parse("sim://benchtop?seed=4&scene=cone&as_built=3&fault=camera_drop:3")
     assert (same.device_serial, same.camera_serial) == (url.device_serial, url.camera_serial)
     assert len(url.device_serial) <= 16
-    for change in ("seed=5&scene=cone", "seed=4&scene=flat", "seed=4&scene=cone&finish=dull"):
+    for change in (
+        "seed=5&scene=cone",
+        "seed=4&scene=flat",
+        "seed=4&scene=cone&finish=dull",
+        "seed=4&scene=cone&stage_um=10",
+    ):
         other = SimUrl.parse(f"sim://benchtop?as_built=3&{change}")
         # a calibration belongs to the instrument, whatever lies under it
         assert other.device_serial == url.device_serial
