@@ -120,15 +120,15 @@ def test_resume_takes_what_is_damaged(run: Path, capsys: Captured) -> None:
 def test_reconstruct_prints_and_stores_the_result(run: Path, capsys: Captured) -> None:
     status, result = invoke(capsys, "reconstruct", str(run), "--no-pictures")
     assert status == ExitCode.OK
-    assert Path(result["results"]) == run / "results" / "paper"
+    assert Path(result["results"]) == run / "results" / "joint"
     assert result["summary"]["kind"] == "fused"
     assert {"match", "fuse"} <= result["stages_s"].keys()
     again, error = invoke(capsys, "reconstruct", str(run), "--no-pictures")
     assert again == ExitCode.DATASET
     assert "--overwrite" in error["error"]["hint"]
     assert cli.main(["reconstruct", str(run), "--no-pictures", "--overwrite"]) == ExitCode.OK
-    assert f"results  {run / 'results' / 'paper'}\n" in capsys.readouterr().out
-    assert open_run(run).results == ["paper"]
+    assert f"results  {run / 'results' / 'joint'}\n" in capsys.readouterr().out
+    assert open_run(run).results == ["joint"]
 
 
 def test_result_for_people_has_words_and_units(run: Path) -> None:

@@ -55,7 +55,7 @@ def test_examples_are_valid(place: Path) -> None:
     assert figure.files()[0, 11] == "photos/Image_12.png"
     rods = load_model(PhotographSet, place / "rods.yml")
     assert rods.files()[6, 0] == "views/view_6.png"
-    assert load_settings(place / "fine.yml").parabola
+    assert load_settings(place / "fine.yml").paper.parabola
 
 
 def test_figure(text: str, place: Path, capsys: pytest.CaptureFixture[str]) -> None:

@@ -45,7 +45,7 @@ def test_demo_prints_one_object_with_the_table(answer: dict[str, object]) -> Non
     assert isinstance(table, list)
     assert {row["section"] for row in table} >= {"planes", "hemispheres", "full"}
     for row in table:
-        assert row["method"] == "paper"
+        assert row["method"] == "joint"
         assert 0 < row["mae_plane_um"] < 100
         assert row["mae_offset_um"] <= row["mae_raw_um"] + 1e-9
     assert answer["whole_fiducial"] is False
@@ -59,7 +59,7 @@ def test_demo_prints_one_object_with_the_table(answer: dict[str, object]) -> Non
 
 
 def test_evaluate_agrees_with_the_demo(answer: dict[str, object], run: StoredRun) -> None:
-    assert run.results == ["paper"]
+    assert run.results == ["joint"]
     assert list(run.evaluate().table) == answer["table"]
 
 
@@ -75,11 +75,11 @@ def test_second_result_beside_the_first(run: StoredRun, tmp_path: Path) -> None:
     with pytest.raises(OutputExistsError):
         run.reconstruct(pictures=False)
     settings = tmp_path / "mine.yml"
-    settings.write_text("method: mine\nparabola: true\n", encoding="utf-8")
+    settings.write_text("method: paper\npaper: {parabola: true}\n", encoding="utf-8")
     outcome = run.reconstruct(settings=settings, pictures=False)
     assert outcome.name == "mine"
-    assert run.results == ["mine", "paper"]
-    assert {row["method"] for row in run.evaluate().table} == {"mine", "paper"}
+    assert run.results == ["joint", "mine"]
+    assert {row["method"] for row in run.evaluate().table} == {"joint", "mine"}
     with pytest.raises(InvalidInputError, match="together"):
         run.reconstruct(method="paper", settings=settings)
 
@@ -91,9 +91,7 @@ def test_another_calibration_scales_the_heights(run: StoredRun, tmp_path: Path) 
     path = tmp_path / "calibration.json"
     path.write_text(calibration.model_dump_json(), encoding="utf-8")
     settings = tmp_path / "wide.yml"
-    settings.write_text(
-        "method: wide\nuse: stereo\nheight_range_um: [-100, 100]\n", encoding="utf-8"
-    )
+    settings.write_text("use: stereo\nheight_range_um: [-100, 100]\n", encoding="utf-8")
     plain = reconstruct_run(run, settings=settings, name="plain", pictures=False)
     scaled = reconstruct_run(
         run, settings=settings, name="scaled", calibration=path, pictures=False

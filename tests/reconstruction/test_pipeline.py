@@ -11,11 +11,13 @@ from reliefscope import axes
 from reliefscope.errors import Cancelled, InvalidInputError
 from reliefscope.jobs import Job
 from reliefscope.reconstruction.pipeline import reconstruct
-from reliefscope.reconstruction.settings import METHODS, Settings, settings_for
+from reliefscope.reconstruction.settings import PaperSettings, Settings
 
 PIXEL_UM = 1.12
 SHAPE = (96, 112)
-QUICK = Settings(height_step_um=2.0, window=11)
+PAPER = Settings(method="paper", paper=PaperSettings(height_step_um=2.0, window=11))
+JOINT = Settings()
+BOTH = pytest.mark.parametrize("settings", [PAPER, JOINT], ids=["paper", "joint"])
 
 
 @dataclass(frozen=True)
@@ -104,11 +106,14 @@ def mean_error(height: np.ndarray, truth: np.ndarray) -> float:
     return float(np.abs(height - truth)[INNER].mean())
 
 
-def test_paper_recovers_the_relief(frames: ArrayFrames, truth: np.ndarray) -> None:
+@BOTH
+def test_the_relief_is_recovered(
+    frames: ArrayFrames, truth: np.ndarray, settings: Settings
+) -> None:
     job = Job()
     stages: set[str] = set()
     job.subscribe(lambda progress: stages.add(progress.stage))
-    result = reconstruct(frames, QUICK, job)
+    result = reconstruct(frames, settings, job)
     assert result.kind == "fused"
     assert mean_error(result.height_um, truth) < 0.35
     assert mean_error(result.height_um, truth) < mean_error(result.stereo_height_um, truth)
@@ -118,6 +123,8 @@ def test_paper_recovers_the_relief(frames: ArrayFrames, truth: np.ndarray) -> No
     assert np.abs(slope_x - gx)[INNER].mean() < 0.02
     assert np.abs(slope_y - gy)[INNER].mean() < 0.02
     named = {"read frames", "match", "smooth", "register", "photometric stereo", "fuse"}
+    if settings.method == "joint":
+        named.add("visibility")
     assert stages == named, "progress and the table of times use the same names"
     assert set(result.timings_s) == named
     assert result.peak_memory_mb > 10
@@ -126,41 +133,40 @@ def test_paper_recovers_the_relief(frames: ArrayFrames, truth: np.ndarray) -> No
     assert summary["height_known"] == 1.0
 
 
-def test_streaming_gives_what_memory_gives(frames: ArrayFrames) -> None:
-    kept = reconstruct(frames, QUICK)
-    streamed = reconstruct(frames, QUICK.model_copy(update={"frames_in_memory_mb": 0}))
+@BOTH
+def test_streaming_gives_what_memory_gives(frames: ArrayFrames, settings: Settings) -> None:
+    kept = reconstruct(frames, settings)
+    streamed = reconstruct(frames, settings.model_copy(update={"frames_in_memory_mb": 0}))
     np.testing.assert_array_equal(kept.height_um, streamed.height_um)
 
 
+@BOTH
 def test_unequal_gain_of_views_and_power_of_lights_are_taken_off(
-    frames: ArrayFrames, truth: np.ndarray
+    frames: ArrayFrames, truth: np.ndarray, settings: Settings
 ) -> None:
     gains = np.array([1.0, 0.8, 1.2, 0.9, 1.1, 0.7])
     powers = np.array([1.0, 1.3, 0.8, 1.1, 0.9, 1.0])
     images = (frames.images * gains[:, None, None, None] * powers[None, :, None, None]) / 2
     other = replace(frames, images=images.astype(np.float32), powers=powers)
-    result = reconstruct(other, QUICK)
+    result = reconstruct(other, settings)
     assert mean_error(result.height_um, truth) < 0.4
 
 
-def test_robust_method_is_as_good(frames: ArrayFrames, truth: np.ndarray) -> None:
-    changes = {"height_step_um": 2.0, "window": 11, "occlusion": True, "trim": (0.1, 0.9)}
-    result = reconstruct(frames, METHODS["robust"].model_copy(update=changes))
-    assert result.method == "robust"
-    assert mean_error(result.height_um, truth) < 0.35
-
-
-def test_one_view_is_integrated(frames: ArrayFrames, truth: np.ndarray) -> None:
+@BOTH
+def test_one_view_is_integrated(frames: ArrayFrames, truth: np.ndarray, settings: Settings) -> None:
     lone = make_frames(np.zeros((1, 2)), frames.lights)
-    result = reconstruct(lone, QUICK)
+    result = reconstruct(lone, settings)
     assert result.kind == "integrated"
     assert result.stereo_height_um is None
     assert mean_error(result.height_um, truth - truth.mean()) < 0.3
 
 
-def test_one_light_is_stereo_only(frames: ArrayFrames, truth: np.ndarray) -> None:
+@BOTH
+def test_one_light_is_stereo_only(
+    frames: ArrayFrames, truth: np.ndarray, settings: Settings
+) -> None:
     lone = replace(frames, images=frames.images[:, :1], lights=None, powers=np.ones(1))
-    result = reconstruct(lone, QUICK)
+    result = reconstruct(lone, settings)
     assert result.kind == "stereo"
     assert result.normals is None
     assert mean_error(result.height_um, truth) < 1.5
@@ -175,7 +181,7 @@ def test_hints_offer_only_what_the_run_allows(frames: ArrayFrames) -> None:
             powers=np.ones(lights),
         )
         with pytest.raises(InvalidInputError) as caught:
-            reconstruct(few, QUICK)
+            reconstruct(few, JOINT)
         return caught.value.hint
 
     assert "stereo" not in hint(1, 2)
@@ -185,10 +191,11 @@ def test_hints_offer_only_what_the_run_allows(frames: ArrayFrames) -> None:
     assert "use: stereo" in hint(2, 4, unknown=True)
 
 
-def test_mask_leaves_the_rest_missing(frames: ArrayFrames) -> None:
+@BOTH
+def test_mask_leaves_the_rest_missing(frames: ArrayFrames, settings: Settings) -> None:
     mask = np.ones(SHAPE, bool)
     mask[:, :20] = False
-    result = reconstruct(replace(frames, mask=mask), QUICK)
+    result = reconstruct(replace(frames, mask=mask), settings)
     assert np.isnan(result.height_um[:, :20]).all()
     assert np.isfinite(result.height_um[:, 20:]).all()
 
@@ -209,36 +216,27 @@ def test_bad_input_is_refused_before_a_frame_is_read(frames: ArrayFrames) -> Non
     ]
     for change, message in cases:
         with pytest.raises(InvalidInputError, match=message) as caught:
-            reconstruct(replace(good, **change), QUICK)
+            reconstruct(replace(good, **change), JOINT)
         assert caught.value.hint
     with pytest.raises(InvalidInputError, match="no baseline"):
-        reconstruct(replace(frames, views=np.zeros((6, 2))), QUICK)
+        reconstruct(replace(frames, views=np.zeros((6, 2))), JOINT)
 
 
-def test_undefined_and_black_frames_are_refused(frames: ArrayFrames) -> None:
+@BOTH
+def test_undefined_and_black_frames_are_refused(frames: ArrayFrames, settings: Settings) -> None:
     images = frames.images.copy()
     images[2, 1, 5, 5] = np.nan
     with pytest.raises(InvalidInputError, match=r"view v2 hold undefined values"):
-        reconstruct(replace(frames, images=images), QUICK)
+        reconstruct(replace(frames, images=images), settings)
     single = replace(frames, images=images[2:3], views=np.zeros((1, 2)))
     with pytest.raises(InvalidInputError, match=r"light l1 hold undefined values"):
-        reconstruct(single, QUICK)
+        reconstruct(single, settings)
     with pytest.raises(InvalidInputError, match="black"):
-        reconstruct(replace(frames, images=np.zeros_like(images)), QUICK)
+        reconstruct(replace(frames, images=np.zeros_like(images)), settings)
 
 
 def test_cancelling(frames: ArrayFrames) -> None:
     job = Job()
     job.cancel()
     with pytest.raises(Cancelled):
-        reconstruct(frames, QUICK, job)
-
-
-def test_settings() -> None:
-    assert settings_for("paper") == Settings()
-    with pytest.raises(InvalidInputError, match="papr") as caught:
-        settings_for("papr")
-    assert "paper" in caught.value.hint
-    for wrong in ({"window": 14}, {"height_range_um": (5.0, 5.0)}, {"trim": (0.9, 0.2)}):
-        with pytest.raises(ValueError, match="must be"):
-            Settings(**wrong)
+        reconstruct(frames, JOINT, job)

@@ -11,7 +11,7 @@ from tests.support import shared_data
 from reliefscope.dataset import import_photographs
 from reliefscope.reconstruction.pipeline import reconstruct
 from reliefscope.reconstruction.result import Reconstruction
-from reliefscope.reconstruction.settings import METHODS, Settings
+from reliefscope.reconstruction.settings import settings_for
 
 
 @pytest.fixture(scope="module")
@@ -46,7 +46,7 @@ def description(tmp_path_factory: pytest.TempPathFactory) -> Path:
 @pytest.fixture(scope="module")
 def cat(description: Path, tmp_path_factory: pytest.TempPathFactory) -> Reconstruction:
     run = import_photographs(description, tmp_path_factory.mktemp("runs") / "cat")
-    return reconstruct(run, Settings())
+    return reconstruct(run, settings_for("paper"))
 
 
 def test_normals_and_relief_of_the_cat(cat: Reconstruction) -> None:
@@ -86,7 +86,7 @@ def test_trimming_leaves_less_unexplained(
     description: Path, cat: Reconstruction, tmp_path: Path
 ) -> None:
     run = import_photographs(description, tmp_path / "cat")
-    robust = reconstruct(run, METHODS["robust"])
+    robust = reconstruct(run)
     assert cat.residual is not None
     assert robust.residual is not None
     inside = np.isfinite(cat.height_um)

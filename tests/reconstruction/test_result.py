@@ -6,7 +6,7 @@ import pytest
 from reliefscope.errors import DatasetError, InvalidInputError, OutputExistsError
 from reliefscope.reconstruction import result
 from reliefscope.reconstruction.result import Reconstruction
-from reliefscope.reconstruction.settings import Settings
+from reliefscope.reconstruction.settings import PaperSettings, Settings
 
 
 def example(offset: float = 0.0) -> Reconstruction:
@@ -16,7 +16,7 @@ def example(offset: float = 0.0) -> Reconstruction:
     return Reconstruction(
         height_um=height,
         pixel_um=1.12,
-        settings=Settings(lam=0.07),
+        settings=Settings(method="paper", paper=PaperSettings(lam=0.07)),
         kind="fused",
         stereo_quality=rng.random((7, 9), dtype=np.float32),
         normals=rng.random((7, 9, 3), dtype=np.float32),

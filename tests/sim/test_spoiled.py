@@ -12,7 +12,7 @@ from reliefscope.device import Device
 from reliefscope.evaluation.heights import height_errors
 from reliefscope.models.plan import default_plan
 from reliefscope.reconstruction.pipeline import reconstruct
-from reliefscope.reconstruction.settings import Settings
+from reliefscope.reconstruction.settings import PaperSettings, Settings
 from reliefscope_sim.offer import describe
 from reliefscope_sim.scenes import load_scene
 from reliefscope_sim.url import SimUrl
@@ -22,6 +22,7 @@ URL = f"sim://spoiled?size=160x128&{SCENE}"
 EDGE = 16
 FULL_SCALE = 4095
 LEAKAGE_FRAMES = 8
+PAPER = Settings(method="paper", paper=PaperSettings(height_step_um=2.0))
 
 
 class Altered:
@@ -83,7 +84,7 @@ class Judge:
 
     def errors(self, run):
         """Mean errors of stereo and fused heights in um, median error of the normals in degrees."""
-        result = reconstruct(run, Settings(height_step_um=2.0))
+        result = reconstruct(run, PAPER)
         stereo, fused = (
             height_errors(height, self._truth, self._inside).raw_um
             for height in (result.smoothed_height_um, result.height_um)

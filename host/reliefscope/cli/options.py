@@ -11,7 +11,7 @@ import typer
 
 from reliefscope.errors import InvalidInputError
 
-METHOD_NAMES = ("paper", "robust", "joint")
+METHOD_NAMES = ("joint", "paper")
 """Methods of reconstruction, kept here as well because their settings load numpy; a test compares the two."""
 DEVICE_VARIABLE = "RELIEFSCOPE_DEVICE"
 
@@ -66,7 +66,7 @@ CalibrationOption = Annotated[
         "--calibration", metavar="FILE", help="Calibration to use instead of the one in force."
     ),
 ]
-METHOD_HELP = f"Reconstruction method: {', '.join(METHOD_NAMES[:-1])} or {METHOD_NAMES[-1]}"
+METHOD_HELP = f"Reconstruction method: {' or '.join(METHOD_NAMES)}"
 RunArgument = Annotated[Path, typer.Argument(metavar="RUN", help="Folder of the run.")]
 SizeOption = Annotated[
     str | None,

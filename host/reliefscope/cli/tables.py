@@ -119,7 +119,7 @@ def show_demo(console: Console, result: DemoResult) -> None:
 
 def show_reconstruction(console: Console, outcome: Outcome) -> None:
     """What a reconstruction found, and where it lies."""
-    settings = outcome.reconstruction.settings
+    settings = outcome.reconstruction.settings.chosen
     facts = readable_result(
         outcome.facts(),
         stereo_quality=settings.stereo_quality,

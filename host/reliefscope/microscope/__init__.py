@@ -12,19 +12,13 @@ Example::
 
 from reliefscope.microscope.bundles import bundle_run
 from reliefscope.microscope.demonstration import DemoResult, demo
+from reliefscope.microscope.evaluating import Evaluation, evaluate_run
 from reliefscope.microscope.instruments import Instrument, default_devices, resolve_instrument
 from reliefscope.microscope.live import Microscope
 from reliefscope.microscope.places import fresh_path
 from reliefscope.microscope.probing import calibrate_lights
-from reliefscope.microscope.stored import (
-    Evaluation,
-    Outcome,
-    StoredRun,
-    evaluate_run,
-    import_photographs,
-    open_run,
-    reconstruct_run,
-)
+from reliefscope.microscope.reconstructing import Outcome, reconstruct_run
+from reliefscope.microscope.stored import StoredRun, import_photographs, open_run
 
 __all__ = [
     "DemoResult",

@@ -11,10 +11,11 @@ from urllib.parse import urlencode
 
 from reliefscope.evaluation import PAPER_TABLE_I, TableRow
 from reliefscope.jobs import Job, ensure_job
+from reliefscope.microscope.evaluating import Evaluation
 from reliefscope.microscope.instruments import DEFAULT_PROFILE, DEFAULT_SCENE, DEMO_SCHEME
 from reliefscope.microscope.live import Microscope
 from reliefscope.microscope.places import fresh_path
-from reliefscope.microscope.stored import DEFAULT_METHOD, Evaluation, Outcome
+from reliefscope.microscope.reconstructing import DEFAULT_METHOD, Outcome
 from reliefscope.models.instrument import builtin_profiles, load_profile
 
 

@@ -104,11 +104,11 @@ class Reconstruction:
             "height_1_to_99_percent_um": [round(float(low), 3), round(float(high), 3)],
         }
         if self.stereo_quality is not None:
-            accepted = self.stereo_quality >= self.settings.stereo_quality
+            accepted = self.stereo_quality >= self.settings.chosen.stereo_quality
             facts["stereo_accepted"] = self._share(accepted)
             facts["stereo_quality_median"] = self._median(self.stereo_quality)
         if self.photometric_quality is not None:
-            accepted = self.photometric_quality >= self.settings.photometric_quality
+            accepted = self.photometric_quality >= self.settings.chosen.photometric_quality
             facts["photometric_accepted"] = self._share(accepted)
             facts["photometric_quality_median"] = self._median(self.photometric_quality)
         facts.update({name: float(f"{value:.6g}") for name, value in self.figures.items()})
@@ -255,7 +255,7 @@ def _document(reconstruction: Reconstruction) -> dict[str, Any]:
         "method": reconstruction.method,
         "kind": reconstruction.kind,
         "pixel_um": reconstruction.pixel_um,
-        "settings": reconstruction.settings.model_dump(mode="json"),
+        "settings": reconstruction.settings.as_dict(),
         "summary": reconstruction.summary(),
         "figures": dict(reconstruction.figures),
         "timings_s": dict(reconstruction.timings_s),

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import difflib
 from pathlib import Path
-from typing import Annotated, Literal, Self
+from typing import Annotated, Any, Literal, Self, get_args
 
 from pydantic import Field, model_validator
 
@@ -12,27 +12,40 @@ from reliefscope.errors import InvalidInputError
 from reliefscope.models.base import StrictModel, load_model
 from reliefscope.reconstruction import fusion, joint, mvs
 
+Method = Literal["joint", "paper"]
 Fraction = Annotated[float, Field(ge=0.0, le=1.0)]
 Positive = Annotated[float, Field(gt=0.0, allow_inf_nan=False)]
 
 
-class Settings(StrictModel):
-    """Settings of :func:`reliefscope.reconstruction.pipeline.reconstruct`.
+class JointSettings(StrictModel):
+    """Choices of the method ``joint`` (:mod:`~reliefscope.reconstruction.joint_chain`)."""
 
-    The defaults are the method ``paper``: section III of the paper, read as docs/explanation says.
+    stereo_quality: Fraction = joint.QUALITY_THRESHOLD
+    """Heights of a lower quality are discarded."""
+    occlusion: bool = True
+    """Leave a view out where the surface hides the point from it."""
+    trim: tuple[Fraction, Fraction] = (0.2, 0.9)
+    """Share of the lights, darkest first, between which intensities count, where there are lights enough."""
+    photometric_quality: Fraction = 0.25
+    """Normals of a lower quality are discarded."""
+    tolerance_um: Positive | None = None
+    """Estimated RMS distance to the exact minimum at which the solver stops; None: a hundredth of a pixel."""
+
+    @model_validator(mode="after")
+    def _in_order(self) -> Self:
+        if not self.trim[0] < self.trim[1]:
+            raise ValueError("trim must be [low, high], fractions of the lights")
+        return self
+
+
+class PaperSettings(StrictModel):
+    """Choices of the method ``paper`` (:mod:`~reliefscope.reconstruction.paper_chain`).
+
+    The defaults are section III of the paper, read as docs/explanation/method.md says.
     """
 
-    method: str = "paper"
-    """Name under which results and tables show these settings."""
-    use: Literal["auto", "stereo", "photometric"] = "auto"
-    """``auto``: stereo where there are two views or more, photometric where there are two lights or more."""
-
-    height_range_um: tuple[float, float] | None = None
-    """Lowest and highest height searched; None: as the run says."""
-    matching: Literal["pairs", "joint"] = "pairs"
-    """``pairs``: eq. 3 on the mean over the lights.  ``joint``: groups of lights together, coarser and faster
-    (:mod:`~reliefscope.reconstruction.joint`); ``height_step_um``, ``window`` and ``parabola`` are its own."""
     height_step_um: Positive = 1.0
+    """Distance between neighbouring candidate heights."""
     window: Annotated[int, Field(ge=3, le=101)] = mvs.WINDOW
     """Side of the correlation window in pixels, odd."""
     parabola: bool = False
@@ -41,52 +54,65 @@ class Settings(StrictModel):
     """Heights of a lower quality are discarded and filled by smoothing."""
     smoothing_parameter: Positive | None = None
     """Garcia's s; None: by generalised cross-validation."""
-
-    photometric_views: Literal["all", "nearest"] = "all"
-    """Frames whose mean photometric stereo uses: of all views, or of the one nearest to s = 0."""
-    occlusion: bool = False
-    """Leave a view out where the surface hides the point from it."""
-    trim: tuple[Fraction, Fraction] | None = None
-    """Share of the lights, darkest first, between which intensities count; None: all lights."""
     full_scale: Positive | None = None
     """Intensity that counts as 1 in eq. 10; None: what a twentieth of the images exceeds."""
     photometric_quality: Fraction = 0.25
     """Normals of a lower quality are discarded."""
-
     lam: Positive = fusion.LAMBDA_RAD_PER_UM
     """lambda of eq. 12, rad / um."""
     derivative: fusion.Derivative = "sobel_stabilised"
     """Form of the slope equations; ``sobel`` is eq. 13 to the letter."""
     minimum_quality: Fraction = fusion.MINIMUM_QUALITY
+    """Weight that every finite height keeps in the fusion."""
     tolerance_um: Positive | None = None
     """Estimated RMS distance to the exact minimum at which the solver stops; None: a hundredth of a pixel."""
 
+    @model_validator(mode="after")
+    def _odd(self) -> Self:
+        if self.window % 2 == 0:
+            raise ValueError(f"window must be odd, not {self.window}")
+        return self
+
+
+class Settings(StrictModel):
+    """Settings of :func:`reliefscope.reconstruction.pipeline.reconstruct`.
+
+    What belongs to one method stands in the part of its name; the part of the other cannot be changed.
+    """
+
+    method: Method = "joint"
+    use: Literal["auto", "stereo", "photometric"] = "auto"
+    """``auto``: stereo where there are two views or more, photometric where there are two lights or more."""
+    height_range_um: tuple[float, float] | None = None
+    """Lowest and highest height searched; None: as the run says."""
     frames_in_memory_mb: Annotated[int, Field(ge=0)] = 1500
     """Runs whose frames take more, as float32, are read twice instead of kept."""
+    joint: JointSettings = JointSettings()
+    paper: PaperSettings = PaperSettings()
 
     @model_validator(mode="after")
     def _consistent(self) -> Self:
-        if self.window % 2 == 0:
-            raise ValueError(f"window must be odd, not {self.window}")
         if self.height_range_um is not None and not (
             self.height_range_um[0] < self.height_range_um[1]
         ):
             raise ValueError("height_range_um must be [lowest, highest]")
-        if self.trim is not None and not self.trim[0] < self.trim[1]:
-            raise ValueError("trim must be [low, high], fractions of the lights")
+        for part, standard in (("joint", JointSettings()), ("paper", PaperSettings())):
+            if part != self.method and getattr(self, part) != standard:
+                raise ValueError(f"`{part}` must be left out with `method: {self.method}`")
         return self
 
+    @property
+    def chosen(self) -> JointSettings | PaperSettings:
+        """The part of the method."""
+        return self.joint if self.method == "joint" else self.paper
 
-METHODS: dict[str, Settings] = {
-    "paper": Settings(),
-    "robust": Settings(method="robust", parabola=True, trim=(0.2, 0.9)),
-    "joint": Settings(
-        method="joint",
-        matching="joint",
-        stereo_quality=joint.QUALITY_THRESHOLD,
-        trim=(0.2, 0.9),
-    ),
-}
+    def as_dict(self) -> dict[str, Any]:
+        """What holds, for files: without the part of the other method."""
+        unused = {"joint", "paper"} - {self.method}
+        return self.model_dump(mode="json", exclude=unused)
+
+
+METHODS: tuple[str, ...] = get_args(Method)
 
 
 def settings_for(method: str) -> Settings:
@@ -103,9 +129,9 @@ def settings_for(method: str) -> Settings:
             f"There is no reconstruction method `{method}`.",
             hint=f"Did you mean `{nearest[0]}`?" if nearest else f"Methods: {', '.join(METHODS)}.",
         )
-    return METHODS[method]
+    return Settings.model_validate({"method": method})
 
 
 def load_settings(path: Path) -> Settings:
-    """Settings from a YAML file; keys left out keep the values of the method ``paper``."""
+    """Settings from a YAML file; keys left out keep their defaults."""
     return load_model(Settings, path)

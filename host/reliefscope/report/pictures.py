@@ -108,7 +108,7 @@ class _Reduced:
         rows, columns = reconstruction.height_um.shape
         factor = min(1.0, _WIDTH_PX / columns)
         self._size = (max(1, round(columns * factor)), max(1, round(rows * factor)))
-        self._settings = reconstruction.settings
+        self._settings = reconstruction.settings.chosen
         self._kind = reconstruction.kind
         self.pixel_um = reconstruction.pixel_um * columns / self._size[0]
         half = reconstruction.pixel_um * columns / 2, reconstruction.pixel_um * rows / 2

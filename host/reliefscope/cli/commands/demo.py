@@ -9,6 +9,7 @@ import typer
 
 from reliefscope.cli.options import (
     METHOD_HELP,
+    METHOD_NAMES,
     JsonFlag,
     ProgressMode,
     ProgressOption,
@@ -38,7 +39,7 @@ def demo(
     ] = "benchtop",
     method: Annotated[
         str, typer.Option("--method", metavar="NAME", help=f"{METHOD_HELP}.")
-    ] = "paper",
+    ] = METHOD_NAMES[0],
     as_json: JsonFlag = False,
     progress: ProgressOption = ProgressMode.AUTO,
 ) -> None:

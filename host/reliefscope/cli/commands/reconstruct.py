@@ -22,7 +22,7 @@ def reconstruct(
     run: RunArgument,
     method: Annotated[
         str | None,
-        typer.Option("--method", metavar="NAME", help=f"{METHOD_HELP}; paper if left out."),
+        typer.Option("--method", metavar="NAME", help=f"{METHOD_HELP}; joint if left out."),
     ] = None,
     settings: Annotated[
         Path | None, typer.Option("--settings", metavar="FILE", help="YAML file of settings.")

@@ -1,0 +1,81 @@
+"""Reading every frame once: means over groups of lights for matching, frames kept for registration."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+import numpy as np
+from numpy.typing import NDArray
+
+from reliefscope.reconstruction.inputs import Inputs, refuse_undefined
+from reliefscope.reconstruction.stage_clock import StageClock
+from reliefscope.units import FloatImage
+
+
+@dataclass(frozen=True)
+class ChannelMeans:
+    """What one pass over the frames leaves.
+
+    Attributes
+    ----------
+    images:
+        (C, K, H, W) mean of each view over each group of lights, of equal gain.
+    shares:
+        (C,) share of the lights in each group.
+    gains:
+        (K,) factors that brought the views to equal mean.
+    kept:
+        (K, L, H, W) the frames as read, without the gains; None where they were not to be kept.
+    """
+
+    images: FloatImage
+    shares: NDArray[np.float32]
+    gains: NDArray[np.float64]
+    kept: FloatImage | None
+
+    def micrograph(self, view: int) -> FloatImage:
+        """Mean over all lights (H, W) of one view."""
+        mean: FloatImage = np.tensordot(self.shares, self.images[:, view], axes=1)
+        return mean
+
+
+def read_channel_means(
+    inputs: Inputs, groups: list[list[int]], clock: StageClock, *, keep: bool
+) -> ChannelMeans:
+    """Read every frame once.
+
+    Parameters
+    ----------
+    inputs:
+        The run.
+    groups:
+        Lights of each channel; every light belongs to one.
+    clock:
+        Progress (stage ``read frames``, per frame), cancellation and time.
+    keep:
+        Keep the frames.
+
+    Raises
+    ------
+    InvalidInputError
+        A view is black or holds undefined values.
+    """
+    frames, views, lights = inputs.frames, inputs.view_count, inputs.light_count
+    channel = {light: c for c, group in enumerate(groups) for light in group}
+    means = np.zeros((len(groups), views, *frames.shape), np.float32)
+    kept = np.empty((views, lights, *frames.shape), np.float32) if keep else None
+    with clock.timed("read frames"), clock.job.stage("read frames", views * lights) as stage:
+        for view, light, image in frames.stack():
+            if kept is not None:
+                kept[view, light] = image
+            means[channel[light], view] += image
+            stage.advance()
+        for c, group in enumerate(groups):
+            means[c] /= np.float32(len(group))
+        shares = np.array([len(group) for group in groups], np.float32) / np.float32(lights)
+        levels = shares @ means.mean(axis=(2, 3), dtype=np.float64)
+        for view, level in enumerate(levels):
+            refuse_undefined(float(level), f"view {frames.view_names[view]}")
+        gains = levels.mean() / levels
+        means *= gains.astype(np.float32)[:, None, None]
+    return ChannelMeans(means, shares, gains, kept)
