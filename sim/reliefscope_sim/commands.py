@@ -7,6 +7,7 @@ the bench before a command really runs.
 from __future__ import annotations
 
 import json
+import re
 import signal
 import threading
 from pathlib import Path
@@ -24,7 +25,7 @@ JSON_SCHEMA_VERSION = 1
 
 app = typer.Typer(
     name="sim",
-    help="Serve the simulated instrument to other programs; play recorded sessions again.",
+    help="Serve the simulated instrument to other programs; play recorded sessions again; photograph its sample.",
     no_args_is_help=True,
 )
 
@@ -136,6 +137,48 @@ def replay(
         typer.echo(report.difference or "Everything was the same.")
     if not report.same:
         raise typer.Exit(ExitCode.VERIFICATION)
+
+
+@app.command("z-stack")
+def z_stack(
+    out: Annotated[
+        Path, typer.Option("--out", "-o", metavar="FOLDER", help="New folder for the images.")
+    ],
+    url: Annotated[
+        str, typer.Argument(metavar="URL", help="Instrument whose sample is meant, sim://NAME?...")
+    ] = "sim://benchtop?scene=fiducial",
+    size: Annotated[
+        str | None,
+        typer.Option(
+            "--size", metavar="WxH", help="Central region in pixels of 0.69 um; the whole sample."
+        ),
+    ] = None,
+    as_json: Annotated[
+        bool, typer.Option("--json", help="Print the description as one JSON object.")
+    ] = False,
+) -> None:
+    """Photograph the sample with a conventional microscope: 31 images, 5 um apart.
+
+    Its objective is 5x/0.13 (depth of field 15 um), its light comes through the objective. `reliefscope focus-stack
+    FOLDER` makes a height map of the images.
+    """
+    from reliefscope_sim.z_stack import record_z_stack
+
+    stack = record_z_stack(url, out, size=None if size is None else _size(size))
+    if as_json:
+        content = {"schema_version": JSON_SCHEMA_VERSION, **stack.model_dump(mode="json")}
+        typer.echo(json.dumps(content, indent=2))
+    else:
+        typer.echo(f"{len(stack.planes)} images in {out}\nNext: reliefscope focus-stack {out}")
+
+
+def _size(text: str) -> tuple[int, int]:
+    match = re.fullmatch(r"(\d{2,5})x(\d{2,5})", text)
+    if match is None:
+        raise InvalidInputError(
+            f"`{text}` is no size.", hint="Write COLUMNSxROWS, as in `--size 640x480`."
+        )
+    return int(match[1]), int(match[2])
 
 
 def _save(url: str, folder: Path) -> dict[str, str]:

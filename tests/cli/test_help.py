@@ -17,6 +17,7 @@ COMMANDS = [
     "reconstruct",
     "evaluate",
     "fiducial",
+    "focus-stack",
     "verify",
     "bundle",
     "sim",

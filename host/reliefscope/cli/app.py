@@ -26,6 +26,7 @@ from reliefscope.cli.commands import (
     evaluate,
     fiducial,
     flash,
+    focus_stack,
     light_probe,
     link_test,
     reconstruct,
@@ -50,6 +51,7 @@ app.command("import", rich_help_panel="Measure")(dataset.import_photographs)
 app.command("light-probe", rich_help_panel="Measure")(light_probe.light_probe)
 app.command("reconstruct", rich_help_panel="Process")(reconstruct.reconstruct)
 app.command("evaluate", rich_help_panel="Process")(evaluate.evaluate)
+app.command("focus-stack", rich_help_panel="Process")(focus_stack.focus_stack)
 app.command("fiducial", rich_help_panel="Make targets")(fiducial.fiducial)
 app.command("info", rich_help_panel="Look after runs")(dataset.info)
 app.command("verify", rich_help_panel="Look after runs")(dataset.verify)

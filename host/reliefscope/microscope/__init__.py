@@ -13,6 +13,7 @@ Example::
 from reliefscope.microscope.bundles import bundle_run
 from reliefscope.microscope.demonstration import DemoResult, demo
 from reliefscope.microscope.evaluating import Evaluation, evaluate_run
+from reliefscope.microscope.experiments import FocusOutcome, focus_pictures, record_stack
 from reliefscope.microscope.instruments import Instrument, default_devices, resolve_instrument
 from reliefscope.microscope.live import Microscope
 from reliefscope.microscope.places import fresh_path
@@ -23,6 +24,7 @@ from reliefscope.microscope.stored import StoredRun, import_photographs, open_ru
 __all__ = [
     "DemoResult",
     "Evaluation",
+    "FocusOutcome",
     "Instrument",
     "Microscope",
     "Outcome",
@@ -32,9 +34,11 @@ __all__ = [
     "default_devices",
     "demo",
     "evaluate_run",
+    "focus_pictures",
     "fresh_path",
     "import_photographs",
     "open_run",
     "reconstruct_run",
+    "record_stack",
     "resolve_instrument",
 ]
