@@ -17,6 +17,7 @@ from reliefscope.reconstruction.shifts import TAPS, plan_shifts
 Array = NDArray[np.float64]
 RANGE_UM = (-6.0, 50.0)
 SHAPE = (160, 208)
+SOFTNESS = 0.07
 INSIDE = np.s_[24:-24, 24:-24]
 
 
@@ -37,15 +38,15 @@ def box(image: Array, window: int) -> Array:
 
 
 def expected_score(views: NDArray[np.float32], small: int, large: int, noise: float) -> Array:
-    """Mean over channels and the large window of variance-of-sum scores of unshifted views."""
+    """Harmonic mean over channels and the large window of 1 - score + softness, for unshifted views."""
     total = np.zeros((1, 1))
     for channel in views.astype(np.float64):
         own = sum(box(v * v, small) - box(v, small) ** 2 for v in channel)
         summed = channel.sum(axis=0)
         of_sum = box(summed**2, small) - box(summed, small) ** 2
         score = (of_sum - own) / ((len(channel) - 1) * (own + len(channel) * noise))
-        total = total + np.clip(score, -1, 1)
-    return box(total / len(views), large)
+        total = total + 1 / (1 - score + SOFTNESS)
+    return 1 + SOFTNESS - 1 / box(total / len(views), large)
 
 
 @pytest.mark.parametrize(("small", "large"), [(3, 5), (5, 3), (7, 9)])
@@ -76,6 +77,7 @@ def test_kernel_is_its_formula_at_whole_shifts(small: int, large: int) -> None:
         small,
         large,
         noise,
+        SOFTNESS,
         curves,
     )
     moved = np.stack([np.roll(views[:, k], (-m[1], -m[0]), (1, 2)) for k, m in enumerate(moves)], 1)
@@ -104,6 +106,7 @@ def test_kernel_leaves_out_unused_views_and_scores_nothing_from_too_few() -> Non
         3,
         5,
         0.0,
+        SOFTNESS,
         curves,
     )
     assert curves[0].max() < 0.7

@@ -6,8 +6,8 @@ What differs from the paper's search (:func:`~reliefscope.reconstruction.mvs.mat
   the surface has none, and a highlight of one light spoils only its own channel.
 - Channels are logarithms of intensity, so that a dark floor counts as much as a bright edge and a gain is
   an offset, which correlation does not see.
-- Small windows are correlated, and their scores averaged over a larger one
-  (:mod:`~reliefscope.reconstruction.joint_kernels`).
+- Small windows are correlated, and their scores averaged over a larger one and over the channels; what
+  fits best weighs most (:mod:`~reliefscope.reconstruction.joint_kernels`).
 - Pixels are binned, and the candidate heights spaced by parallax on the binned grid: the apertures' blur
   leaves nothing finer to match.  The peak is refined by a parabola.
 
@@ -46,11 +46,14 @@ LARGE_WINDOW_ALONE = 7
 """Window that is averaged over where there is one channel: fewer samples vote."""
 STEP_PX = 0.33
 """Parallax, in binned pixels and against the mean view, between neighbouring candidate heights."""
-NOISE_SHARE = 0.05
+NOISE_SHARE = 0.005
 """Variance added to each window's in the denominator, as a share of the median window variance."""
-DARK_SHARE = 0.1
+SOFTNESS = 0.05
+"""Added to what the views of a small window do not share before the harmonic mean
+(:mod:`~reliefscope.reconstruction.joint_kernels`): below it, differences are noise."""
+DARK_SHARE = 0.05
 """Intensity added before the logarithm, as a share of the median intensity."""
-QUALITY_THRESHOLD = 0.15
+QUALITY_THRESHOLD = 0.1
 """Quality below which heights are better discarded (docs/explanation/default-method.md)."""
 LEAST_SIDE = 48
 """Binned images are at least so wide and high; smaller ones are matched as they are."""
@@ -193,6 +196,7 @@ def match_jointly(
             small_window,
             large_window,
             prepared.noise_variance,
+            SOFTNESS,
             curves,
         )
         part = (slice(tile[0], tile[1]), slice(tile[2], tile[3]))

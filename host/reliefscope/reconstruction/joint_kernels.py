@@ -6,9 +6,13 @@ correlation in its variance-of-sum form (:mod:`~reliefscope.reconstruction.ncc_s
     score = (var(sum_k t_k) - sum_k v_k) / ((K - 1) (sum_k v_k + noise))
 
 with the window variances ``v_k`` of the shifted views themselves: variances taken once and shifted would not
-know that interpolation blurs, and heights of whole shifts would win too often.  The score of a pixel is the
-mean over the channels and over a larger window of such scores: a small window that straddles a bright edge
-has one vote, whereas in one large window the edge would outweigh all texture.
+know that interpolation blurs, and heights of whole shifts would win too often.
+
+The score of a pixel is a mean of such scores over the channels and over a larger window: a small window that
+straddles a bright edge has one vote, whereas in one large window the edge would outweigh all texture.  The
+mean is harmonic in what the views do not share, ``1 - score + softness``.  Near a height that fits, a window
+that fits to 2 % then counts for much more than one that fits to 10 %, as it does in a likelihood: a highlight
+moves against the surface and fits poorly at every height, so the channels that it misses decide.
 
 All sums are float32 and direct, never running, on images whose mean was taken off.  A tile stays in the
 second-level cache.  The kernels release the interpreter lock and are single-threaded.
@@ -96,38 +100,41 @@ def across(columns: F32, window: int, out: F32) -> None:
 
 
 @njit(cache=True, nogil=True, error_model="numpy", fastmath=True)
-def add_score(
+def add_votes(
     sums: F32,
     squares: F32,
     own_squares: F32,
     squared_sums: F32,
     share: np.float32,
     noise: np.float32,
+    softness: np.float32,
     views: int,
-    score: F32,
+    votes: F32,
 ) -> None:
-    """Add the variance-of-sum score of the small windows of one row and channel."""
+    """Add ``softness / (1 - score + softness)`` of the small windows of one row and channel."""
     pairs = np.float32(1.0 / (views - 1))
-    for x in range(score.size):
+    for x in range(votes.size):
         mean = sums[x] * share
         of_sum = squares[x] * share - mean * mean
         own = max(own_squares[x] * share - squared_sums[x] * share * share, np.float32(0.0))
-        correlation = pairs * (of_sum - own) / (own + noise)
-        score[x] += min(max(correlation, np.float32(-1.0)), np.float32(1.0))
+        floor = own + noise
+        apart = max(floor - pairs * (of_sum - own), np.float32(0.0))
+        votes[x] += softness * floor / (apart + softness * floor)
 
 
 @njit(cache=True, nogil=True, error_model="numpy", fastmath=True)
 def add_row(row: F32, sums: F32) -> None:
-    """Add one row of scores to the column sums of the larger window."""
+    """Add one row to column sums."""
     for x in range(row.size):
         sums[x] += row[x]
 
 
 @njit(cache=True, nogil=True, error_model="numpy", fastmath=True)
-def scale_row(sums: F32, factor: np.float32, out: F32) -> None:
-    """Mean score, kept within [-1, 1]."""
+def mean_score(votes: F32, share: np.float32, softness: np.float32, out: F32) -> None:
+    """Score whose vote is the mean vote, within [-1, 1]."""
+    one = np.float32(1.0)
     for x in range(out.size):
-        out[x] = min(max(sums[x] * factor, np.float32(-1.0)), np.float32(1.0))
+        out[x] = min(max(one + softness - softness / (votes[x] * share), -one), one)
 
 
 @njit(cache=True, nogil=True, error_model="numpy")
@@ -163,6 +170,7 @@ def score_tile_jointly(
     small: int,
     large: int,
     noise_variance: float,
+    softness: float,
     curves: F32,
 ) -> None:
     """Joint score of one tile for every height.
@@ -183,6 +191,8 @@ def score_tile_jointly(
         Sides of the window that is correlated and of the window over which scores are averaged.
     noise_variance:
         Added per view to the window variance in the denominator.
+    softness:
+        Added to what the views do not share, above 0: the mean turns from harmonic to arithmetic as it grows.
     curves:
         (N, rows, cols) output; NaN at heights where fewer than half of the pairs are used.
     """
@@ -198,7 +208,8 @@ def score_tile_jointly(
     squares = np.empty((depth, width), dtype=np.float32)
     sample = np.empty((depth, width), dtype=np.float32)
     squared_sums = np.empty((scored_rows, scored_cols), dtype=np.float32)
-    scores = np.empty((scored_rows, scored_cols), dtype=np.float32)
+    votes = np.empty((scored_rows, scored_cols), dtype=np.float32)
+    soft = np.float32(softness)
     line = np.empty(width + 3, dtype=np.float32)
     sums = np.empty(width, dtype=np.float32)
     sums_squares = np.empty(width, dtype=np.float32)
@@ -212,7 +223,7 @@ def score_tile_jointly(
             curves[n] = np.nan
             continue
         noise = np.float32(noise_variance * count)
-        scores[:] = np.float32(0.0)
+        votes[:] = np.float32(0.0)
         for c in range(channels):
             totals[:] = np.float32(0.0)
             squares[:] = np.float32(0.0)
@@ -254,16 +265,24 @@ def score_tile_jointly(
                 for y in range(r, r + small):
                     add_row(squares[y], sums)
                 across(sums, small, wide[2])
-                add_score(
-                    wide[0], wide[1], wide[2], squared_sums[r], share, noise, count, scores[r]
+                add_votes(
+                    wide[0],
+                    wide[1],
+                    wide[2],
+                    squared_sums[r],
+                    share,
+                    noise,
+                    soft,
+                    count,
+                    votes[r],
                 )
         factor = np.float32(1.0 / (channels * large * large))
         for r in range(rows):
             sums[:scored_cols] = np.float32(0.0)
             for y in range(r, r + large):
-                add_row(scores[y], sums[:scored_cols])
+                add_row(votes[y], sums[:scored_cols])
             across(sums[:scored_cols], large, mean)
-            scale_row(mean, factor, curves[n, r])
+            mean_score(mean, factor, soft, curves[n, r])
 
 
 @njit(cache=True, nogil=True, error_model="numpy")
