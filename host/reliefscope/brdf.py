@@ -197,9 +197,15 @@ def hapke_h(x: float, w: float) -> float:
 
     ``x`` is the cosine of incidence or emission, ``w`` the single-scattering albedo.
     """
+    return hapke_h_by_log(x, w, math.log((1.0 + x) / x))
+
+
+@njit(cache=True, inline="always", fastmath=True)
+def hapke_h_by_log(x: float, w: float, log: float) -> float:
+    """:func:`hapke_h` where ``log`` = ln((1 + x) / x) is known, as it is for every colour but the first."""
     gamma = math.sqrt(1.0 - w)
     r0 = (1.0 - gamma) / (1.0 + gamma)
-    return 1.0 / (1.0 - w * x * (r0 + 0.5 * (1.0 - 2.0 * r0 * x) * math.log((1.0 + x) / x)))
+    return 1.0 / (1.0 - w * x * (r0 + 0.5 * (1.0 - 2.0 * r0 * x) * log))
 
 
 @njit(cache=True, inline="always", fastmath=True)
@@ -214,6 +220,14 @@ def double_henyey_greenstein(lv: float, b: float, c: float) -> float:
     backward = (1.0 - squared) / (toward * math.sqrt(toward))
     forward = (1.0 - squared) / (away * math.sqrt(away))
     return 0.5 * (1.0 + c) * backward + 0.5 * (1.0 - c) * forward
+
+
+@njit(cache=True, inline="always", fastmath=True)
+def hapke_once(lv: float, b: float, c: float, b0: float, width: float) -> float:
+    """``(1 + B(g)) p(g)`` of light that met a single grain; see :func:`hapke`."""
+    # tan(g / 2) by the cosine of g; opposite the light the surge is gone.
+    half = math.sqrt(max(1.0 - lv, 0.0) / max(1.0 + lv, 1e-12))
+    return (1.0 + b0 / (1.0 + half / width)) * double_henyey_greenstein(lv, b, c)
 
 
 @njit(cache=True, inline="always", fastmath=True)
@@ -234,8 +248,5 @@ def hapke(
 
     Macroscopic roughness (Hapke 1984) is left out: relief that is larger than a pixel is in the height map.
     """
-    # tan(g / 2) by the cosine of g; opposite the light the surge is gone.
-    half = math.sqrt(max(1.0 - lv, 0.0) / max(1.0 + lv, 1e-12))
-    surge = b0 / (1.0 + half / width)
-    once = (1.0 + surge) * double_henyey_greenstein(lv, b, c)
+    once = hapke_once(lv, b, c, b0, width)
     return 0.25 * w / (nl + nv) * (once + hapke_h(nl, w) * hapke_h(nv, w) - 1.0)

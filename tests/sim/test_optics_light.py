@@ -2,6 +2,7 @@
 
 import math
 
+import cv2
 import numpy as np
 import pytest
 from tests.sim import optics_bench as ob
@@ -22,7 +23,8 @@ def lit(scene, built, led=8, instrument=INSTRUMENT):
     light = Lighting(surface, instrument.dome, built).lit_by(led)
     m = surface.margin
     window = (slice(m, m + ob.SHAPE[0]), slice(m, m + ob.SHAPE[1]))
-    return light.direct[window].astype(float), (light.total - light.direct)[window].astype(float)
+    between = cv2.resize(light.between[0], light.direct.shape[::-1])
+    return light.direct[window].astype(float), between[window].astype(float)
 
 
 def glossy(scene_height, albedo=0.5, specular=0.0, roughness=0.3):

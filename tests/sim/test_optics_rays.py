@@ -92,13 +92,17 @@ def test_gathering_shifts_by_height_times_slope():
     slopes = np.array([[0.15, -0.3], [-0.4, 0.05]], dtype=np.float32)
     weights = np.array([2.0, 0.5], dtype=np.float32)
     image = np.zeros(SHAPE, dtype=np.float32)
-    gather(radiance, depth, slopes, weights, 0.0, CENTRE, MARGIN, 0.0, STEP, image)
+    gather(radiance, depth, slopes, weights, 0.0, CENTRE, MARGIN, 0.0, STEP, (0, 0, 1), image)
     row, column = np.mgrid[: SHAPE[0], : SHAPE[1]].astype(float) + MARGIN
     expected = sum(
         weight * map_coordinates(radiance.astype(float), [row - 9 * sy, column + 9 * sx], order=1)
         for (sx, sy), weight in zip(slopes.astype(float), weights, strict=True)
     )
     assert np.abs(image - expected).max() < 1e-4
+    # And the same values where only some pixels are wanted.
+    some = np.zeros((15, 19), dtype=np.float32)
+    gather(radiance, depth, slopes, weights, 0.0, CENTRE, MARGIN, 0.0, STEP, (1, 2, 2), some)
+    assert np.array_equal(some, image[1::2, 2::2])
 
 
 @pytest.mark.parametrize(("sigma_x", "sigma_y"), [(2.25, 2.25), (0.8, 3.1), (0.0, 1.0)])

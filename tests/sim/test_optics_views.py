@@ -160,18 +160,20 @@ def test_shut_glass_leaks_over_the_whole_pupil():
 
 
 @pytest.mark.parametrize(
-    ("spacing_mm", "fewest", "most"), [(10.0, 8, 8), (0.3, 12, 40), (1e-3, 30, 80)]
+    ("spacing_mm", "fewest", "most"), [(10.0, 4, 4), (0.6, 8, 8), (0.3, 12, 40), (1e-3, 30, 80)]
 )
 def test_points_of_an_aperture_stay_few_and_keep_area_and_centroid(spacing_mm, fewest, most):
     built = AsBuilt.draw(INSTRUMENT, 4)
     mask = ob.disc(INSTRUMENT, 1.5) > 0
     points = Pupil(INSTRUMENT, built).points(mask, spacing_mm)
-    pixels = Pupil(INSTRUMENT, built).points(mask, 10.0)
+    pixels = Pupil(INSTRUMENT, built).pixels(mask)
     assert fewest <= len(points) <= most
     assert points.area_mm2.sum() == pytest.approx(pixels.area_mm2.sum())
     assert points.centroid_mm == pytest.approx(pixels.centroid_mm)
-    # Dividing a pixel adds its own extent to the spread of the centres.
-    assert (points.spread_mm >= pixels.spread_mm - 1e-9).all()
+    # Whatever the points, they and their cells are spread as the open area is; merging loses a little.
+    loss = 0.0 if len(points) in {4, len(pixels)} else 0.05
+    difference = points.covariance_mm2 - pixels.covariance_mm2
+    assert np.abs(difference).max() <= loss * np.trace(pixels.covariance_mm2) + 1e-9
 
 
 def test_what_lies_outside_the_round_pupil_is_cut_off():

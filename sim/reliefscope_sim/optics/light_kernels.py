@@ -1,4 +1,4 @@
-"""Compiled kernels of illumination: near-field LEDs with cast shadows, glossy lobes, light between surfaces.
+"""Compiled kernels of illumination: near-field LEDs with cast shadows, light between surfaces.
 
 Positions are in pixels of the surface's grid relative to the focal point: x right, y up, z toward the
 objective.  Every pixel is computed by one thread in a fixed order: the result does not depend on their number.
@@ -12,15 +12,60 @@ import numpy as np
 from numba import njit, prange
 from numpy.typing import NDArray
 
-from reliefscope.brdf import ggx
 from reliefscope.units import FloatImage
 from reliefscope_sim.optics.ray_kernels import bilinear
 
 HitStack = NDArray[np.int32]
 
 
-STRIDES_PX = (32, 8)
+STRIDES_PX = (32, 8, 2)
 """Steps of the march toward an LED where nothing within such a distance rises above the horizon."""
+
+
+@njit(cache=True, inline="always", fastmath=True)
+def _horizon(
+    flat: FloatImage,
+    ceilings: FloatImage,
+    x0: np.float32,
+    y0: np.float32,
+    z0: np.float32,
+    ux: np.float32,
+    uy: np.float32,
+    level: np.float32,
+    lower: np.float32,
+    upper: np.float32,
+    top: np.float32,
+) -> np.float32:
+    """Steepest rise, at least ``lower``, from (x0, y0, z0) to anything on the way to a light ``level`` pixels off.
+
+    The search ends where it reaches ``upper``.
+    """
+    rows, columns = ceilings.shape[1], ceilings.shape[2]
+    last_x = np.float32(columns - 1)
+    last_y = np.float32(rows - 1)
+    one = np.float32(1.0)
+    horizon = lower
+    away = one
+    while horizon < upper:
+        x = x0 + away * ux
+        y = y0 + away * uy
+        reached = z0 + horizon * away
+        if reached >= top or away >= level:
+            break
+        if x < np.float32(0.0) or y < np.float32(0.0) or x >= last_x or y >= last_y:
+            break
+        column = np.uint32(np.int32(x))
+        row = np.uint32(np.int32(y))
+        if reached >= ceilings[0, row, column]:
+            away += np.float32(STRIDES_PX[0])
+        elif reached >= ceilings[1, row, column]:
+            away += np.float32(STRIDES_PX[1])
+        elif reached >= ceilings[2, row, column]:
+            away += np.float32(STRIDES_PX[2])
+        else:
+            horizon = max(horizon, (bilinear(flat, columns, x, y) - z0) / away)
+            away += one
+    return horizon
 
 
 @njit(cache=True, parallel=True, fastmath=True)
@@ -42,122 +87,61 @@ def irradiance(
     Falls off with 1/r^2, with ``cos^beam_exponent`` of the angle from the LED's axis (which points at the
     focal point) and with the cosine of incidence.  The shadow comes from the horizon on the way to the LED;
     its soft edge is the part of the source, seen under the angle ``source_radius`` to either side, that
-    stands above that horizon.  ``ceilings`` (2, H', W') are the largest heights within ``STRIDES_PX`` pixels.
+    stands above that horizon.  ``ceilings`` (3, H', W') are the largest heights within ``STRIDES_PX`` pixels.
     ``optical_axis`` is (column, row) in the array.
     """
     rows, columns = height.shape
     flat = height.reshape(-1)
-    last_x = np.float32(columns - 1)
-    last_y = np.float32(rows - 1)
     top = np.float32(highest)
     one = np.float32(1.0)
-    axis_length = math.sqrt(led[0] * led[0] + led[1] * led[1] + led[2] * led[2])
+    axis_length = np.float32(math.sqrt(led[0] * led[0] + led[1] * led[1] + led[2] * led[2]))
     strength = np.float32(reference * reference)
+    source = np.float32(math.tan(source_radius))
+    exponent = np.float32(beam_exponent)
     for row in prange(rows):
+        unshaded = out[row]
+        on_axis = np.empty(columns, np.float32)
+        level = np.empty(columns, np.float32)
         dy = led[1] - (optical_axis[1] - np.float32(row))
         for column in range(columns):
-            z = height[row, column]
-            dx = led[0] - (np.float32(column) - optical_axis[0])
-            dz = led[2] - z
+            dx = led[0] + optical_axis[0] - np.float32(column)
+            dz = led[2] - height[row, column]
             p = rise_x[row, column]
             q = rise_y[row, column]
-            facing = dz - p * dx - q * dy
-            if facing <= 0.0:
-                out[row, column] = 0.0
-                continue
-            level = math.sqrt(dx * dx + dy * dy)
-            distance = math.sqrt(dx * dx + dy * dy + dz * dz)
-            incidence = facing / (distance * math.sqrt(one + p * p + q * q))
-            on_axis = (dx * led[0] + dy * led[1] + dz * led[2]) / (distance * axis_length)
-            beam = max(on_axis, np.float32(0.0)) ** np.float32(beam_exponent)
-            falloff = strength / (distance * distance)
-            visible = one
-            if level > one:
-                elevation = math.atan2(dz, level)
-                lower = np.float32(math.tan(max(elevation - source_radius, 0.0)))
-                upper = np.float32(math.tan(min(elevation + source_radius, 1.5533)))
-                ux = dx / level
-                uy = -dy / level
-                horizon = np.float32(-1e9)
-                away = one
-                while horizon < upper:
-                    x = np.float32(column) + away * ux
-                    y = np.float32(row) + away * uy
-                    reached = z + max(horizon, lower) * away
-                    if reached >= top or away >= level:
-                        break
-                    if x < 0.0 or y < 0.0 or x >= last_x or y >= last_y:
-                        break
-                    near_column = np.uint32(np.int32(x))
-                    near_row = np.uint32(np.int32(y))
-                    if reached >= ceilings[0, near_row, near_column]:
-                        away += np.float32(STRIDES_PX[0])
-                    elif reached >= ceilings[1, near_row, near_column]:
-                        away += np.float32(STRIDES_PX[1])
-                    else:
-                        horizon = max(horizon, (bilinear(flat, columns, x, y) - z) / away)
-                        away += one
-                if horizon > lower:
-                    visible = max(np.float32(0.0), (upper - horizon) / (upper - lower))
-            out[row, column] = visible * beam * falloff * incidence
-
-
-@njit(cache=True, parallel=True, fastmath=True)
-def add_reflected(
-    albedo: FloatImage, arriving: FloatImage, share: float, radiance: FloatImage
-) -> None:
-    """Add ``share * albedo * arriving`` to ``radiance``; albedo and radiance are (C, H', W')."""
-    channels, rows, _ = albedo.shape
-    factor = np.float32(share)
-    for row in prange(rows):
-        for channel in range(channels):
-            radiance[channel, row] += albedo[channel, row] * (factor * arriving[row])
-
-
-@njit(cache=True, parallel=True, fastmath=True)
-def add_gloss(
-    direct: FloatImage,
-    rise_x: FloatImage,
-    rise_y: FloatImage,
-    specular: FloatImage,
-    roughness: FloatImage,
-    optical_axis: FloatImage,
-    led: FloatImage,
-    view: FloatImage,
-    share: float,
-    radiance: FloatImage,
-) -> None:
-    """Add to ``radiance`` (C, H', W') ``share`` of the GGX lobe of light ``direct`` from ``led``.
-
-    It is seen along the unit vector ``view``; ``specular`` is (C, H', W').
-    """
-    rows, columns = direct.shape
-    channels = len(radiance)
-    factor = np.float32(share)
-    for row in prange(rows):
-        dy = led[1] - (optical_axis[1] - np.float32(row))
+            facing = max(dz - p * dx - q * dy, np.float32(0.0))
+            aside = dx * dx + dy * dy
+            distance = math.sqrt(aside + dz * dz)
+            cosine = facing / (distance * math.sqrt(one + p * p + q * q))
+            level[column] = math.sqrt(aside)
+            along = dx * led[0] + dy * led[1] + dz * led[2]
+            on_axis[column] = max(along, np.float32(0.0)) / (distance * axis_length)
+            unshaded[column] = cosine * strength / (distance * distance)
         for column in range(columns):
-            arriving = direct[row, column]
-            if arriving <= np.float32(0.0):
+            if unshaded[column] <= np.float32(0.0):
                 continue
-            dx = led[0] - (np.float32(column) - optical_axis[0])
-            p = rise_x[row, column]
-            q = rise_y[row, column]
-            nz = np.float32(1.0) / math.sqrt(np.float32(1.0) + p * p + q * q)
-            nv = nz * (view[2] - p * view[0] - q * view[1])
-            if nv <= np.float32(1e-3):
+            unshaded[column] *= on_axis[column] ** exponent
+            if level[column] <= one:
                 continue
-            inverse = np.float32(1.0) / math.sqrt(dx * dx + dy * dy + led[2] * led[2])
-            lx, ly, lz = dx * inverse, dy * inverse, led[2] * inverse
-            nl = max(nz * (lz - p * lx - q * ly), np.float32(1e-3))
-            hx, hy, hz = lx + view[0], ly + view[1], lz + view[2]
-            half = np.float32(1.0) / math.sqrt(hx * hx + hy * hy + hz * hz)
-            nh = nz * half * (hz - p * hx - q * hy)
-            vh = half * (view[0] * hx + view[1] * hy + view[2] * hz)
-            alpha = roughness[row, column]
-            for channel in range(channels):
-                lobe = ggx(nl, nv, nh, vh, alpha, specular[channel, row, column])
-                radiance[channel, row, column] += factor * arriving * lobe
+            # tan(elevation -+ source_radius), kept within 0 and nearly upright.
+            rising = (led[2] - height[row, column]) / level[column]
+            lower = max((rising - source) / (one + rising * source), np.float32(0.0))
+            short = one - rising * source
+            upper = (rising + source) / short if short > np.float32(0.02) else np.float32(50.0)
+            horizon = _horizon(
+                flat,
+                ceilings,
+                np.float32(column),
+                np.float32(row),
+                height[row, column],
+                (led[0] + optical_axis[0] - np.float32(column)) / level[column],
+                -dy / level[column],
+                level[column],
+                lower,
+                upper,
+                top,
+            )
+            if horizon > lower:
+                unshaded[column] *= max(np.float32(0.0), (upper - horizon) / (upper - lower))
 
 
 @njit(cache=True, parallel=True, fastmath=True)
@@ -217,14 +201,19 @@ def find_neighbours(
 
 @njit(cache=True, parallel=True, fastmath=True)
 def collect(radiosity: FloatImage, hits: HitStack, out: FloatImage) -> None:
-    """Irradiance (H', W') that each pixel receives from the points it sees."""
+    """Irradiance (H', W', C) that each pixel receives from the points it sees, which send ``radiosity``."""
     rows, columns, count = hits.shape
+    channels = radiosity.shape[2]
     flat = radiosity.reshape(-1)
+    part = np.float32(1.0 / count)
     for row in prange(rows):
+        total = np.empty(channels, np.float32)
         for column in range(columns):
-            total = np.float32(0.0)
+            total[:] = np.float32(0.0)
             for k in range(count):
                 at = hits[row, column, k]
                 if at >= 0:
-                    total += flat[at]
-            out[row, column] = total / np.float32(count)
+                    for channel in range(channels):
+                        total[channel] += flat[at * channels + channel]
+            for channel in range(channels):
+                out[row, column, channel] = part * total[channel]

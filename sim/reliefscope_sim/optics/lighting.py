@@ -1,4 +1,4 @@
-"""Light on a surface: per LED the direct irradiance with its shadows, and what surfaces give each other."""
+"""Light on a surface, and off it: shadows of each LED, what surfaces give each other, radiance to the viewer."""
 
 from __future__ import annotations
 
@@ -14,11 +14,11 @@ from reliefscope.units import UM_PER_MM, FloatImage
 from reliefscope_sim.as_built import AsBuilt
 from reliefscope_sim.optics.light_kernels import (
     STRIDES_PX,
-    add_gloss,
     collect,
     find_neighbours,
     irradiance,
 )
+from reliefscope_sim.optics.shading_kernels import shade
 from reliefscope_sim.optics.surface import ALIGNMENT, Surface, as_float_image, block_mean
 
 LED_DIAMETER_MM = 2.0
@@ -29,24 +29,23 @@ _BOUNCES = 2
 
 @dataclass(frozen=True)
 class LitSurface:
-    """A surface under one LED of energy 1.
+    """A surface under one LED of energy 1: irradiance relative to normal incidence on the LED's axis.
 
-    ``total`` (H', W') is the irradiance, direct and from other surfaces; ``direct`` alone is kept where the
-    surface has gloss.
+    ``direct`` (H', W') comes from the LED, ``between`` (C, H'/r, W'/r) from other surfaces; that varies
+    slowly and is kept on a coarser grid.
     """
 
-    total: FloatImage
-    direct: FloatImage | None
+    direct: FloatImage
+    between: FloatImage
 
     @property
     def nbytes(self) -> int:
         """Memory that it takes."""
-        return self.total.nbytes + (0 if self.direct is None else self.direct.nbytes)
+        return self.direct.nbytes + self.between.nbytes
 
     def coarser(self, factor: int) -> LitSurface:
         """The same light on a grid with larger pixels."""
-        direct = None if self.direct is None else block_mean(self.direct, factor)
-        return LitSurface(block_mean(self.total, factor), direct)
+        return LitSurface(block_mean(self.direct, factor), self.between)
 
 
 class Lighting:
@@ -60,6 +59,9 @@ class Lighting:
         self._source_radius = LED_DIAMETER_MM / 2 / dome.radius_mm
         self._coarse = surface.coarser(ALIGNMENT)
         self._hits = _neighbours(self._coarse)
+        self._reflectance: FloatImage = np.ascontiguousarray(
+            np.moveaxis(self._coarse.reflectance, 0, 2)
+        )
         boxes = (np.ones((2 * stride + 3,) * 2, dtype=np.uint8) for stride in STRIDES_PX)
         self._ceilings = np.stack(
             [as_float_image(cv2.dilate(surface.height_px, box)) for box in boxes]
@@ -88,22 +90,54 @@ class Lighting:
             direct,
         )
         direct *= np.float32(self._as_built.led_intensities[led])
-        total = self._from_other_surfaces(direct)
-        total += direct
-        return LitSurface(total, None if surface.specular is None else direct)
+        return LitSurface(direct, self._from_other_surfaces(direct))
 
     def _from_other_surfaces(self, direct: FloatImage) -> FloatImage:
-        """Diffuse light between surfaces, on a grid four times as coarse, brought back to the full one."""
-        reflectance = self._coarse.reflectance
-        arriving = block_mean(direct, ALIGNMENT)
-        between: FloatImage = np.zeros_like(arriving)
+        """Light (C, H'/4, W'/4) that surfaces give each other, each reflecting evenly to all sides."""
+        arriving = block_mean(direct, ALIGNMENT)[..., None]
+        between: FloatImage = np.zeros_like(self._reflectance)
         for _ in range(_BOUNCES):
-            radiosity = reflectance * (arriving + between)
-            collect(radiosity, self._hits, between)
-        smooth = cv2.GaussianBlur(between, (0, 0), 0.8)
-        return as_float_image(
-            cv2.resize(smooth, (direct.shape[1], direct.shape[0]), interpolation=cv2.INTER_LINEAR)
+            collect(self._reflectance * (arriving + between), self._hits, between)
+        return np.stack(
+            [cv2.GaussianBlur(plane, (0, 0), 0.8) for plane in np.moveaxis(between, 2, 0)]
         )
+
+    def add_radiance(
+        self,
+        surface: Surface,
+        lit: LitSurface,
+        led: int,
+        lean: NDArray[np.float64],
+        share: float,
+        radiance: FloatImage,
+    ) -> None:
+        """Add ``share`` of what ``surface`` sends along a ray of slope ``lean`` (2,) to ``radiance`` (C, H', W').
+
+        ``surface`` is the one of these lights, or a coarser form of it, under the LED as in ``lit``.
+        """
+        view = np.array([lean[0], lean[1], 1.0])
+        shade(
+            lit.direct,
+            lit.between,
+            surface.rise_x,
+            surface.rise_y,
+            surface.albedo,
+            surface.reflectance,
+            (_or_none(surface.specular, 3), _or_none(surface.roughness, 2)),
+            _or_none(surface.diffuse_sigma_rad, 2),
+            _or_none(surface.hapke, 2),
+            self._source_radius**2 / 8,
+            optical_axis(surface),
+            self.led_px(led, surface.pixel_um),
+            (view / np.linalg.norm(view)).astype(np.float32),
+            share,
+            radiance,
+        )
+
+
+def _or_none(values: FloatImage | None, axes: int) -> FloatImage:
+    """A map, or an empty array where there is none."""
+    return np.empty((0,) * axes, dtype=np.float32) if values is None else values
 
 
 def optical_axis(surface: Surface) -> FloatImage:
@@ -111,32 +145,6 @@ def optical_axis(surface: Surface) -> FloatImage:
     return np.array(
         [surface.margin + surface.centre_column, surface.margin + surface.centre_row],
         dtype=np.float32,
-    )
-
-
-def add_lobe(
-    surface: Surface,
-    lit: LitSurface,
-    led_px: FloatImage,
-    lean: NDArray[np.float64],
-    share: float,
-    radiance: FloatImage,
-) -> None:
-    """Add ``share`` of the gloss of a surface under one LED, seen along a ray of slope ``lean`` (2,)."""
-    if surface.specular is None or surface.roughness is None or lit.direct is None:
-        return
-    view = np.array([lean[0], lean[1], 1.0])
-    add_gloss(
-        lit.direct,
-        surface.rise_x,
-        surface.rise_y,
-        surface.specular,
-        surface.roughness,
-        optical_axis(surface),
-        led_px,
-        (view / np.linalg.norm(view)).astype(np.float32),
-        share,
-        radiance,
     )
 
 

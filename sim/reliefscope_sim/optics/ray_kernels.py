@@ -163,29 +163,38 @@ def gather(
     margin: int,
     lowest: float,
     step: float,
+    sites: tuple[int, int, int],
     image: FloatImage,
 ) -> None:
-    """Add to ``image`` (H, W) the weighted radiance (H', W') that each pupil point sees at its depth."""
-    count, rows, columns = depth.shape
+    """Add to ``image`` the weighted radiance (H', W') that each pupil point sees at its depth.
+
+    ``sites`` (first row, first column, pitch) are the pixels of the frame for which that is done, (0, 0, 1) for
+    all of them.
+    """
+    first_row, first_column, pitch = sites
+    rows, columns = image.shape
+    count = len(depth)
     stride = radiance.shape[1]
     flat = radiance.reshape(-1)
     kappa32 = np.float32(kappa)
     lowest32 = np.float32(lowest)
     step32 = np.float32(step)
-    for row in prange(rows):
+    for index in prange(rows):
+        row = first_row + pitch * index
+        line = image[index]
         for k in range(count):
             weight = weights[k]
             sx0 = slopes[k, 0] - kappa32 * centre[0]
             sy = slopes[k, 1] + kappa32 * (centre[1] - np.float32(row))
             y0 = np.float32(row + margin)
-            levels = depth[k, row]
-            line = image[row]
-            for column in range(columns):
-                z = lowest32 + step32 * np.float32(levels[column])
-                sx = sx0 + kappa32 * np.float32(column)
-                x = np.float32(column + margin) + z * sx
+            levels = depth[k, row, first_column::pitch]
+            for i in range(columns):
+                column = np.float32(first_column + pitch * i)
+                z = lowest32 + step32 * np.float32(levels[i])
+                sx = sx0 + kappa32 * column
+                x = column + np.float32(margin) + z * sx
                 y = y0 - z * sy
-                line[column] += weight * bilinear(flat, stride, x, y)
+                line[i] += weight * bilinear(flat, stride, x, y)
 
 
 @njit(cache=True, parallel=True, fastmath=True)

@@ -20,11 +20,10 @@ from reliefscope.models.instrument import InstrumentProfile
 from reliefscope.units import FloatArray, FloatImage, RawImage
 from reliefscope_sim.as_built import AsBuilt
 from reliefscope_sim.optics.cache import ByteCache
-from reliefscope_sim.optics.light_kernels import add_reflected
-from reliefscope_sim.optics.lighting import Lighting, LitSurface, add_lobe
+from reliefscope_sim.optics.lighting import Lighting, LitSurface
 from reliefscope_sim.optics.pupil import Pupil, PupilPoints
 from reliefscope_sim.optics.surface import Surface, as_float_image
-from reliefscope_sim.optics.views import Shader, Viewer
+from reliefscope_sim.optics.views import Shader, Viewer, mosaic_of
 from reliefscope_sim.scenes.scene import Scene
 from reliefscope_sim.sensor import Sensor
 
@@ -74,7 +73,7 @@ class Renderer:
         self._coarse = self._surface.coarser(2)
         self._lighting = Lighting(self._surface, profile.dome, as_built)
         gloss_cell_mm = 0.0 if self._surface.specular is None else _GLOSS_CELL_MM
-        sizes = [int(cache_mb * share * _MB) for share in (0.2, 0.08, 0.35, 0.22, 0.15)]
+        sizes = [int(cache_mb * share * _MB) for share in (0.2, 0.08, 0.3, 0.2, 0.22)]
         self._viewer = Viewer(self._surface, profile.optics, as_built, gloss_cell_mm, sizes[0])
         self._wide = Viewer(self._coarse, profile.optics, as_built, gloss_cell_mm, sizes[1])
         self._lit: ByteCache[LitSurface] = ByteCache(sizes[2], lambda lit: lit.nbytes)
@@ -152,8 +151,8 @@ class Renderer:
         key = np.packbits(mask).tobytes()
 
         def compute() -> FloatImage:
-            points = self._pupil.points(mask, self._viewer.spacing_mm)
-            return self._mosaic(list(self._viewer.image(key, points, self._shader(light))))
+            points = self._points(mask, self._viewer)
+            return self._viewer.mosaic(key, points, self._shader(light))
 
         return self._images.get((key, light), compute)
 
@@ -161,18 +160,19 @@ class Renderer:
         """Image through the whole pupil; blurred by its own width, it is made at half the resolution."""
 
         def compute() -> FloatImage:
-            shader = self._shader(light, coarse=True)
-            return self._wide.image(b"pupil", self._whole_pupil(), shader)
+            points = self._points(self._pupil.area_mm2 > 0, self._wide)
+            image = self._wide.image(b"pupil", points, self._shader(light, coarse=True))
+            rows, columns = self.shape
+            fine = [
+                as_float_image(cv2.resize(channel, None, fx=2, fy=2))[:rows, :columns]
+                for channel in image
+            ]
+            return mosaic_of(np.stack(fine))
 
-        rows, columns = self.shape
-        fine = [
-            as_float_image(cv2.resize(channel, None, fx=2, fy=2, interpolation=cv2.INTER_LINEAR))
-            for channel in self._wide_images.get(light, compute)
-        ]
-        return self._mosaic([channel[:rows, :columns] for channel in fine])
+        return self._wide_images.get(light, compute)
 
-    def _whole_pupil(self) -> PupilPoints:
-        return self._pupil.points(self._pupil.area_mm2 > 0, self._wide.spacing_mm)
+    def _points(self, mask: NDArray[np.bool_], viewer: Viewer) -> PupilPoints:
+        return self._pupil.points(mask, viewer.spacing_mm(self._pupil.pixels(mask)))
 
     def _lit_by(self, led: int) -> LitSurface:
         return self._lit.get(led, lambda: self._lighting.lit_by(led))
@@ -180,28 +180,18 @@ class Renderer:
     def _shader(self, light: LightKey, *, coarse: bool = False) -> Shader:
         """Radiance of the surface under a light, for rays of any one slope."""
         surface = self._coarse if coarse else self._surface
+        lights = [
+            (led, share, self._lit_by(led).coarser(2) if coarse else self._lit_by(led))
+            for led, share in light
+        ]
 
         def shade(lean: NDArray[np.float64]) -> FloatImage:
             radiance: FloatImage = np.zeros_like(surface.albedo)
-            for led, ratio in light:
-                lit = self._lit_by(led)
-                if coarse:
-                    lit = lit.coarser(2)
-                add_reflected(surface.albedo, lit.total, ratio, radiance)
-                led_px = self._lighting.led_px(led, surface.pixel_um)
-                add_lobe(surface, lit, led_px, lean, ratio, radiance)
+            for led, share, lit in lights:
+                self._lighting.add_radiance(surface, lit, led, lean, share, radiance)
             return radiance
 
         return shade
-
-    def _mosaic(self, channels: list[FloatImage]) -> FloatImage:
-        """One value per pixel (H, W): the only channel, or the one that the pixel's filter passes."""
-        if len(channels) == 1:
-            return channels[0]
-        mosaic = channels[1].copy()
-        mosaic[0::2, 0::2] = channels[0][0::2, 0::2]
-        mosaic[1::2, 1::2] = channels[2][1::2, 1::2]
-        return mosaic
 
 
 def signal_per_mm2_s(profile: InstrumentProfile) -> float:

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from dataclasses import dataclass
+from functools import cached_property
 
 import cv2
 import numpy as np
@@ -53,13 +54,23 @@ class Surface:
         """Largest distance from the focal plane."""
         return max(abs(self.lowest_px), abs(self.highest_px))
 
-    @property
+    @cached_property
     def reflectance(self) -> FloatImage:
-        """Fraction of light (H', W') that leaves again, without colour, for light between surfaces."""
-        total: FloatImage = self.albedo.mean(axis=0)
+        """Fraction (C, H', W') of even light from all sides that leaves again, in whatever direction.
+
+        For a Hapke layer Hapke's estimate ``r0 (1 - g / (3 + 3 g))`` with ``g = sqrt(1 - w)``,
+        ``r0 = (1 - g) / (1 + g)``.
+        """
+        if self.specular is None and self.hapke is None:
+            return self.albedo
+        total = self.albedo
+        if self.hapke is not None:
+            g = np.sqrt(1 - total)
+            spherical = (1 - g) / (1 + g) * (1 - g / (3 + 3 * g))
+            total = total + self.hapke * (spherical - total)
         if self.specular is not None:
-            total = total + self.specular.mean(axis=0)
-        return np.minimum(total, np.float32(0.95))
+            total = total + self.specular
+        return np.minimum(total, np.float32(1.0))
 
     @classmethod
     def on_frame(

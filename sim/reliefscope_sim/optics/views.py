@@ -32,8 +32,20 @@ from reliefscope_sim.optics.surface import Surface, as_float_image
 
 AIRY_SIGMA = 0.42
 """Standard deviation of the Gaussian nearest to an Airy disc, in units of lambda f_o / d (eq. 2)."""
-_DEFOCUS_STEP_PX = 2.0
+_APART_OF_SPOT = 1.5
+"""Points of the pupil may lie so far apart that their images part by this many standard deviations of the spot:
+their sum is then even to 2 exp(-2 pi^2 / 1.5^2), 0.3 per mille..."""
+_LEAST_APART_PX = 2.0
+"""...or by this much, where the spot is smaller than a pixel."""
 _BATCH = 8
+_BINOMIAL: FloatImage = np.array([0.5, 0.25], dtype=np.float32)
+_SMOOTHED_VARIANCE = 0.5
+_LEAST_SPOT_OF_SITES_PX = 1.5
+
+Sites = tuple[int, int, int]
+_ALL_SITES: Sites = (0, 0, 1)
+_FILTERS: tuple[Sites, Sites] = ((0, 0, 2), (1, 1, 2))
+"""Red and blue pixels of the mosaic: first row, first column, pitch."""
 
 Shader = Callable[[NDArray[np.float64]], FloatImage]
 """Radiance (C, H', W') of the surface for rays of one slope (2,)."""
@@ -75,24 +87,53 @@ class Viewer:
         )
         self._bounds: dict[int, tuple[FloatImage, FloatImage, FloatImage]] = {}
 
-    @property
-    def spacing_mm(self) -> float:
-        """Distance of pupil points at which their images part by as much as a pixel or two."""
-        return _DEFOCUS_STEP_PX * self._focal_mm / max(self.surface.reach_px, 1e-3)
+    def spacing_mm(self, points: PupilPoints) -> float:
+        """Distance of pupil points at which diffraction still hides that their images part."""
+        apart_px = max(_LEAST_APART_PX, _APART_OF_SPOT * float(self._spot_px(points).min()))
+        return apart_px * self._focal_mm / max(self.surface.reach_px, 1e-3)
 
     def image(self, key: bytes, points: PupilPoints, shader: Shader) -> FloatImage:
         """Image (C, H, W) through ``points``, which ``key`` names: radiance times open area in mm^2."""
+        every = [_ALL_SITES] * len(self.surface.albedo)
+        spot_px = self._spot_px(points)
+        return np.stack([_blurred(seen, spot_px) for seen in self._sum(key, points, shader, every)])
+
+    def mosaic(self, key: bytes, points: PupilPoints, shader: Shader) -> FloatImage:
+        """One value per pixel (H, W): the image, of a coloured one the channel that a pixel's filter passes.
+
+        Where diffraction hides what lies between, red and blue are rendered at their own pixels only, from
+        radiance smoothed by a little, which the blur by diffraction is then short of.
+        """
+        spot_px = self._spot_px(points)
+        if len(self.surface.albedo) == 1 or spot_px.min() < _LEAST_SPOT_OF_SITES_PX:
+            return mosaic_of(self.image(key, points, shader))
+        red, blue = _FILTERS
+        seen = self._sum(key, points, shader, [red, _ALL_SITES, blue])
+        mosaic = _blurred(seen[1], spot_px)
+        for (row, column, pitch), channel in zip(_FILTERS, seen[::2], strict=True):
+            rest_px = np.sqrt(spot_px**2 - _SMOOTHED_VARIANCE) / pitch
+            mosaic[row::pitch, column::pitch] = _blurred(channel, rest_px)
+        return mosaic
+
+    def _sum(
+        self, key: bytes, points: PupilPoints, shader: Shader, sites: list[Sites]
+    ) -> list[FloatImage]:
+        """Sharp images of each channel at its ``sites``."""
         rows, columns = self.surface.frame_shape
-        total: FloatImage | None = None
+        total: list[FloatImage] = [
+            np.zeros((len(range(row, rows, pitch)), len(range(column, columns, pitch))), np.float32)
+            for row, column, pitch in sites
+        ]
         lean: NDArray[np.float64] | None = None
-        radiance: FloatImage = np.empty(0, dtype=np.float32)
+        radiance: list[FloatImage] = []
         for batch in self._batches.get(key, lambda: self._trace(points)):
             if lean is None or not np.array_equal(lean, batch.lean):
                 lean = batch.lean
-                radiance = shader(lean)
-            if total is None:
-                total = np.zeros((len(radiance), rows, columns), dtype=np.float32)
-            for channel, seen in zip(radiance, total, strict=True):
+                radiance = [
+                    channel if at == _ALL_SITES else _smoothed(channel)
+                    for channel, at in zip(shader(lean), sites, strict=True)
+                ]
+            for channel, at, seen in zip(radiance, sites, total, strict=True):
                 gather(
                     channel,
                     batch.depth,
@@ -103,11 +144,10 @@ class Viewer:
                     self.surface.margin,
                     self.surface.lowest_px,
                     self._depth_step,
+                    at,
                     seen,
                 )
-        if total is None:
-            return np.zeros((len(self.surface.albedo), rows, columns), dtype=np.float32)
-        return self._diffract(total, points)
+        return total
 
     def _trace(self, points: PupilPoints) -> list[_Batch]:
         """Geometry of every point, in batches of one direction for gloss."""
@@ -171,20 +211,38 @@ class Viewer:
             }
         return self._bounds[reach]
 
-    def _diffract(self, image: FloatImage, points: PupilPoints) -> FloatImage:
-        """Blur by the spot of eq. 2; the diameter along each axis is that of a disc as spread as the points.
+    def _spot_px(self, points: PupilPoints) -> NDArray[np.float64]:
+        """Standard deviation (2,) along x and y of the spot of eq. 2, that of a disc as spread as the points.
 
         A disc of diameter d has a standard deviation of d / 4 along any axis.
         """
-        spread = points.spread_mm
-        cell = math.sqrt(points.area_mm2.mean())
-        diameter = 4 * np.sqrt(spread**2 + cell**2 / 12)
-        spot_um = self._optics.wavelength_um * self._focal_mm / diameter
-        sigma_px = AIRY_SIGMA * spot_um / self.surface.pixel_um
-        taps_x, taps_y = gaussian_taps(float(sigma_px[0])), gaussian_taps(float(sigma_px[1]))
-        if len(taps_x) == 1 and len(taps_y) == 1:
-            return image
-        blurred: FloatImage = np.empty_like(image)
-        for channel, target in zip(image, blurred, strict=True):
-            blur(channel, taps_x, taps_y, target)
-        return blurred
+        diameter_mm = 4 * np.sqrt(np.diag(points.covariance_mm2))
+        spot_um = self._optics.wavelength_um * self._focal_mm / diameter_mm
+        spot: NDArray[np.float64] = AIRY_SIGMA * spot_um / self.surface.pixel_um
+        return spot
+
+
+def mosaic_of(image: FloatImage) -> FloatImage:
+    """What an RGGB sensor (H, W) passes of an image (C, H, W); the only channel of one without colour."""
+    mosaic: FloatImage = image[len(image) // 2].copy()
+    if len(image) == 3:
+        for (row, column, pitch), channel in zip(_FILTERS, image[::2], strict=True):
+            mosaic[row::pitch, column::pitch] = channel[row::pitch, column::pitch]
+    return mosaic
+
+
+def _blurred(image: FloatImage, sigma_px: NDArray[np.float64]) -> FloatImage:
+    """Image (H, W) after a Gaussian blur of ``sigma_px`` (x, y)."""
+    taps_x, taps_y = gaussian_taps(float(sigma_px[0])), gaussian_taps(float(sigma_px[1]))
+    if len(taps_x) == 1 and len(taps_y) == 1:
+        return image
+    result: FloatImage = np.empty_like(image)
+    blur(image, taps_x, taps_y, result)
+    return result
+
+
+def _smoothed(image: FloatImage) -> FloatImage:
+    """Image (H, W) after a binomial filter of three pixels, of :data:`_SMOOTHED_VARIANCE` along each axis."""
+    result: FloatImage = np.empty_like(image)
+    blur(image, _BINOMIAL, _BINOMIAL, result)
+    return result
