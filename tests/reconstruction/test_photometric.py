@@ -3,7 +3,14 @@ import pytest
 
 from reliefscope import axes
 from reliefscope.errors import InvalidInputError
-from reliefscope.reconstruction.photometric import check_directions, kept_ranks, solve_lambert
+from reliefscope.models.light_field import LightField
+from reliefscope.reconstruction.photometric import (
+    PsResult,
+    check_directions,
+    full_scale_of,
+    solve,
+    solve_lambert,
+)
 
 
 def ring_lights(count: int = 8, elevations_deg: tuple[float, ...] = (22.5, 45.0)) -> np.ndarray:
@@ -100,42 +107,151 @@ def test_missing_and_dark_pixels_have_no_quality() -> None:
     images = np.full((16, 8, 9), 0.4, np.float32)
     images[3, 2, 2] = np.nan
     images[:, 6, 6] = 0.0
-    for trim in (None, (0.2, 0.9)):
-        result = solve_lambert(images, lights, trim=trim)
-        for row, column in ((2, 2), (6, 6)):
+    images[2:, 4, 7] = np.nan
+    robust = solve(images, LightField.distant(lights), 1.0)
+    assert np.isfinite(robust.normals[2, 2]).all()  # 15 lights are left there
+    for result, missing in (
+        (solve_lambert(images, lights), ((2, 2), (6, 6), (4, 7))),
+        (robust, ((6, 6), (4, 7))),
+    ):
+        for row, column in missing:
             assert np.isnan(result.normals[row, column]).all()
             assert result.quality[row, column] == 0.0
         assert np.isfinite(result.quality).all()
         assert result.quality[4, 0] > 0.5
 
 
-def test_trimming_ignores_shadows_and_highlights() -> None:
+def angles_deg(normals: np.ndarray, truth: np.ndarray) -> np.ndarray:
+    cross = np.linalg.norm(np.cross(normals.astype(np.float64), truth), axis=-1)
+    return np.degrees(np.arctan2(cross, np.sum(normals * truth, axis=-1)))
+
+
+def test_robust_form_ignores_shadows_and_highlights() -> None:
+    """Two unmasked shadows and one highlight: kept out; least squares is far off."""
     rng = np.random.default_rng(4)
-    normals = random_normals(rng, (12, 13), 0.25)
+    normals = random_normals(rng, (12, 141), 0.25)
     lights = ring_lights()
     clean = np.einsum("lc,hwc->lhw", lights, normals)
-    images = clean.copy()
+    images = clean + rng.normal(0.0, 0.002, clean.shape)
     order = np.argsort(clean, axis=0)
     np.put_along_axis(images, order[:2], 0.0, axis=0)
     np.put_along_axis(images, order[-1:], 3.0, axis=0)
     plain = solve_lambert(images.astype(np.float32), lights)
-    trimmed = solve_lambert(images.astype(np.float32), lights, trim=(0.2, 0.9))
-    np.testing.assert_allclose(trimmed.normals, normals, atol=2e-5)
-    assert trimmed.residual.max() < 1e-5
-    assert np.abs(plain.normals - normals).max() > 0.1
+    robust = solve(images.astype(np.float32), LightField.distant(lights), 1.0)
+    assert np.median(angles_deg(plain.normals, normals)) > 10.0
+    assert np.percentile(angles_deg(robust.normals, normals), 95) < 1.0
 
 
-def test_trimming_agrees_with_lstsq_on_the_kept_lights() -> None:
+def test_robust_form_agrees_with_least_squares_where_nothing_disagrees() -> None:
+    """Noise below the tolerated residual: every light counts, weights near one."""
     rng = np.random.default_rng(5)
+    normals = random_normals(rng, (7, 300), 0.25)
     lights = ring_lights()
-    images = rng.uniform(0.1, 1.0, (16, 4, 5)).astype(np.float32)
-    result = solve_lambert(images, lights, trim=(0.2, 0.9))
-    assert kept_ranks(16, (0.2, 0.9)) == (3, 15)
-    kept = np.argsort(images[:, 1, 2])[3:15]
-    solution, *_ = np.linalg.lstsq(lights[kept], images[kept, 1, 2].astype(float), rcond=None)
-    np.testing.assert_allclose(
-        result.normals[1, 2] * result.albedo[1, 2], solution, rtol=1e-4, atol=1e-5
+    images = np.einsum("lc,hwc->lhw", lights, normals) + rng.normal(0, 0.001, (16, 7, 300))
+    robust = solve(images.astype(np.float32), LightField.distant(lights), 1.0)
+    plain = solve_lambert(images.astype(np.float32), lights)
+    assert robust.lights_used is not None
+    assert robust.lights_used.min() > 15.0
+    assert np.abs(robust.normals - plain.normals).max() < 3e-4
+    np.testing.assert_allclose(robust.albedo, plain.albedo, rtol=3e-4)
+
+
+def test_masked_lights_do_not_count() -> None:
+    rng = np.random.default_rng(6)
+    normals = random_normals(rng, (6, 9), 0.25)
+    lights = ring_lights()
+    clean = np.einsum("lc,hwc->lhw", lights, normals).astype(np.float32)
+    usable = rng.random(clean.shape) > 0.5
+    usable[:4] = True
+    images = np.where(usable, clean, np.float32(0.7) * clean)
+    masked = solve(images, LightField.distant(lights), 1.0, usable=usable)
+    assert angles_deg(masked.normals, normals).max() < 0.01
+    assert masked.lights_used is not None
+    np.testing.assert_allclose(masked.lights_used, usable.sum(axis=0), atol=0.05)
+
+
+def test_powers_of_the_lights_are_divided_out() -> None:
+    rng = np.random.default_rng(7)
+    normals = random_normals(rng, (6, 9), 0.3)
+    lights, powers = ring_lights(), rng.uniform(0.5, 2.0, 16)
+    images = powers[:, None, None] * np.einsum("lc,hwc->lhw", lights, normals)
+    result = solve(images.astype(np.float32), LightField.distant(lights, powers), 1.0)
+    assert angles_deg(result.normals, normals).max() < 0.01
+    np.testing.assert_allclose(result.albedo, powers.mean(), rtol=1e-4)
+
+
+def test_near_lights_are_followed_across_the_field() -> None:
+    """LEDs 20 mm away over a field of 1.6 mm, traced from their positions without the class under test."""
+    rng = np.random.default_rng(8)
+    shape, pixel_um = (140, 400), 4.0
+    normals = random_normals(rng, shape, 0.25)
+    positions_mm = 20.0 * ring_lights() * rng.uniform(0.9, 1.1, (16, 1))
+    intensities = rng.uniform(0.8, 1.2, 16)
+    x_um, y_um = axes.pixel_grid_um(shape, pixel_um)
+    points_mm = np.stack(np.broadcast_arrays(x_um[None], y_um[:, None], 0.0), axis=-1) / 1000
+    images = np.empty((16, *shape))
+    for light, (place, intensity) in enumerate(zip(positions_mm, intensities, strict=True)):
+        way = place - points_mm
+        distance = np.linalg.norm(way, axis=-1)
+        images[light] = intensity * (way * normals).sum(axis=-1) / distance**3
+    strengths = np.diag(intensities / np.linalg.norm(positions_mm, axis=1) ** 2)
+    near = LightField.of_leds(positions_mm, strengths)
+    result = solve(images.astype(np.float32), near, pixel_um)
+    assert angles_deg(result.normals, normals).max() < 0.02
+    distant = solve(
+        images.astype(np.float32), LightField.distant(positions_mm, near.powers), pixel_um
     )
+    assert np.percentile(angles_deg(distant.normals, normals), 95) > 1.0
+
+
+def test_a_ring_is_the_sum_of_its_leds() -> None:
+    """Opposite pairs of a ring: their light comes from between them."""
+    rng = np.random.default_rng(9)
+    leds = 25.0 * ring_lights(8, (35.0,))
+    strengths = np.zeros((8, 8))
+    for light in range(8):
+        strengths[light, [light, (light + 2) % 8]] = 0.5, 1.0
+    field = LightField.of_leds(leds, strengths)
+    expected = strengths @ (leds / 25.0)
+    np.testing.assert_allclose(field.vectors, expected, atol=1e-12)
+    np.testing.assert_allclose(field.irradiance(np.zeros(3)), expected, atol=1e-12)
+    normals = random_normals(rng, (5, 6), 0.2)
+    images = np.einsum("lc,hwc->lhw", expected, normals).astype(np.float32)
+    assert angles_deg(solve(images, field, 0.01).normals, normals).max() < 0.01
+
+
+def test_stated_error_grows_with_residual_and_with_fewer_lights() -> None:
+    """Noise of known size: the stated error is its effect, within the scatter of 16 samples."""
+    rng = np.random.default_rng(10)
+    lights = ring_lights()
+    normals = random_normals(rng, (40, 250), 0.2)
+    clean = np.einsum("lc,hwc->lhw", lights, normals)
+    stated = {}
+    for noise in (0.015, 0.03):
+        noisy = (clean + rng.normal(0, noise, clean.shape)).astype(np.float32)
+        result = solve(noisy, LightField.distant(lights), 1.0)
+        assert result.sigma_rad is not None
+        stated[noise] = float(np.median(result.sigma_rad))
+        actual = np.radians(np.sqrt(np.mean(angles_deg(result.normals, normals) ** 2)))
+        assert 0.75 < stated[noise] / actual < 1.1
+    assert stated[0.03] == pytest.approx(2 * stated[0.015], rel=0.1)
+
+
+def test_space_for_the_result_is_used() -> None:
+    lights = ring_lights()
+    images = np.einsum(
+        "lc,hwc->lhw", lights, random_normals(np.random.default_rng(11), (5, 6), 0.2)
+    )
+    stack = images.astype(np.float32)
+    for robust in (False, True):
+        space = PsResult.empty((5, 6), robust=robust)
+        result = (
+            solve(stack, LightField.distant(lights), 1.0, out=space)
+            if robust
+            else solve_lambert(stack, lights, full_scale=full_scale_of(stack), out=space)
+        )
+        assert result is space
+        assert np.isfinite(space.normals).all()
 
 
 def test_lights_that_cannot_work_are_refused_with_the_number() -> None:
@@ -153,5 +269,8 @@ def test_lights_that_cannot_work_are_refused_with_the_number() -> None:
         check_directions(np.vstack([lights[:4], [[np.nan, 0.0, 1.0]]]))
     with pytest.raises(InvalidInputError, match="do not belong"):
         solve_lambert(np.zeros((5, 4, 4), np.float32), lights)
-    with pytest.raises(InvalidInputError, match="3 are needed"):
-        kept_ranks(5, (0.4, 0.6))
+    with pytest.raises(InvalidInputError, match="there are 2"):
+        solve(np.zeros((2, 4, 4), np.float32), LightField.distant(lights[:2]), 1.0)
+    usable = np.ones((16, 4, 5), bool)
+    with pytest.raises(InvalidInputError, match="mask"):
+        solve(np.zeros((16, 4, 4), np.float32), LightField.distant(lights), 1.0, usable=usable)

@@ -10,6 +10,7 @@ from scipy import ndimage
 from reliefscope import axes
 from reliefscope.errors import Cancelled, InvalidInputError
 from reliefscope.jobs import Job
+from reliefscope.models.light_field import LightField
 from reliefscope.reconstruction.pipeline import reconstruct
 from reliefscope.reconstruction.settings import PaperSettings, Settings
 
@@ -43,6 +44,10 @@ class ArrayFrames:
     @property
     def light_names(self) -> tuple[str, ...]:
         return tuple(f"l{k}" for k in range(self.images.shape[1]))
+
+    @property
+    def light_field(self) -> LightField | None:
+        return None if self.lights is None else LightField.distant(self.lights, self.powers)
 
     def stack(
         self, views: Iterable[int] | None = None, lights: Iterable[int] | None = None

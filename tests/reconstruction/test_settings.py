@@ -5,7 +5,6 @@ import pytest
 from reliefscope.errors import InvalidInputError
 from reliefscope.reconstruction.settings import (
     METHODS,
-    JointSettings,
     PaperSettings,
     Settings,
     load_settings,
@@ -26,8 +25,6 @@ def test_what_cannot_be_meant_is_refused() -> None:
         PaperSettings(window=14)
     with pytest.raises(ValueError, match=r"must be \[lowest, highest\]"):
         Settings(height_range_um=(5.0, 5.0))
-    with pytest.raises(ValueError, match=r"must be \[low, high\]"):
-        JointSettings(trim=(0.9, 0.2))
     with pytest.raises(ValueError, match="`paper` must be left out with `method: joint`"):
         Settings(paper=PaperSettings(window=11))
 

@@ -29,6 +29,7 @@ from reliefscope.jobs import Job, ensure_job
 from reliefscope.models.calibration import Calibration
 from reliefscope.models.geometry import light_direction, light_power, slope_of_bitmap
 from reliefscope.models.instrument import InstrumentProfile
+from reliefscope.models.light_field import LightField
 from reliefscope.models.plan import FrameKind, Plan
 from reliefscope.units import BoolImage, FloatImage, RawImage
 
@@ -165,6 +166,18 @@ class Run:
         plan, profile, calibration = self._instrument()
         full = profile.dome.full_level
         return np.array([light_power(light.levels, calibration, full) for light in plan.lights])
+
+    @property
+    def light_field(self) -> LightField | None:
+        """Irradiance by the lights at every point: near where LED positions are known, else distant.
+
+        None where a direction is not known.
+        """
+        if self.spec.imported is not None:
+            directions = self.lights
+            return None if directions is None else LightField.distant(directions, self.powers)
+        plan, profile, calibration = self._instrument()
+        return LightField.of_instrument(plan.lights, profile, calibration)
 
     def with_calibration(self, calibration: Calibration) -> Run:
         """The same run seen through another calibration of its instrument."""

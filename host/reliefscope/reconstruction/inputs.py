@@ -10,6 +10,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from reliefscope.errors import InvalidInputError
+from reliefscope.models.light_field import LightField
 from reliefscope.reconstruction import photometric
 from reliefscope.reconstruction.settings import Settings
 from reliefscope.units import BoolImage, FloatImage
@@ -45,6 +46,10 @@ class Frames(Protocol):
     @property
     def lights(self) -> NDArray[np.float64] | None:
         """Directions (L, 3) toward the lights; None where one is unknown."""
+
+    @property
+    def light_field(self) -> LightField | None:
+        """Light at every point of the sample; None where a direction is unknown."""
 
     @property
     def powers(self) -> NDArray[np.float64]:
@@ -110,6 +115,14 @@ class Inputs:
         powers = self.frames.powers
         relative: NDArray[np.float64] = powers / powers.mean()
         return relative
+
+    @property
+    def light_field(self) -> LightField:
+        """Light in frames that were divided by :attr:`relative_powers`."""
+        field = self.frames.light_field
+        if field is None:
+            field = LightField.distant(self.directions, self.relative_powers)
+        return field.scaled(1.0 / self.relative_powers)
 
     def frames_mb(self) -> float:
         """Memory that all frames take as float32."""

@@ -6,7 +6,8 @@
    discarded and filled by robust smoothing.
 3. Frames are brought to the view s = 0 by the height, and averaged over the views that see the point, light by
    light.
-4. Photometric stereo without the darkest and the brightest lights of each pixel.
+4. Photometric stereo with near lights, without the lights that the height puts into shadow, robust against
+   highlights.
 5. Fusion.
 
 With one view there is no stereo, and the normals are integrated; with one light there is stereo only.
@@ -17,7 +18,7 @@ from __future__ import annotations
 import numpy as np
 
 from reliefscope.errors import InvalidInputError
-from reliefscope.reconstruction import fusion, joint, photometric, registration, smoothing
+from reliefscope.reconstruction import fusion, joint, photometric, registration, shadows, smoothing
 from reliefscope.reconstruction.channel_means import ChannelMeans, read_channel_means
 from reliefscope.reconstruction.inputs import Inputs, refuse_undefined
 from reliefscope.reconstruction.mvs import MvsResult
@@ -25,9 +26,6 @@ from reliefscope.reconstruction.result import Reconstruction
 from reliefscope.reconstruction.stage_clock import StageClock, peak_memory_mb
 from reliefscope.reconstruction.view_average import ViewAverage
 from reliefscope.units import FloatImage
-
-LEAST_LIGHTS_TO_TRIM = 8
-"""Lights below which none are left out: too few would remain to average the noise."""
 
 
 def reconstruct_jointly(
@@ -59,14 +57,13 @@ def reconstruct_jointly(
         )
         if micrograph is None:
             micrograph = images.mean(axis=0)
+        lights, pixel_um = inputs.light_field, inputs.frames.pixel_um
+        usable = None
+        if filled is not None and settings.shadows:
+            with clock.timed("shadows"):
+                usable = shadows.lit(filled, lights, pixel_um, job=clock.job)
         with clock.timed("photometric stereo"), clock.job.stage("photometric stereo", 1):
-            trim = settings.trim if inputs.light_count >= LEAST_LIGHTS_TO_TRIM else None
-            solved = photometric.solve_lambert(
-                images,
-                inputs.directions,
-                trim=trim,
-                full_scale=photometric.full_scale_of(images),
-            )
+            solved = photometric.solve(images, lights, pixel_um, usable=usable)
         del images
     del means
     with clock.timed("fuse"):

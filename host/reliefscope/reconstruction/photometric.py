@@ -1,6 +1,8 @@
-"""Photometric stereo: Lambert's law by least squares with the paper's quality score (eq. 4-10).
+"""Photometric stereo: normals and albedo from the intensities under known lights (eq. 4-10).
 
-The intensities are linear and belong to one virtual view, so that a pixel is the same point of the
+:func:`solve_lambert` is the paper's: least squares over all lights, which are distant.  :func:`solve` is the
+default method's: near lights, masks for cast shadows and saturation, robust weights, and the error to expect of
+each normal.  The intensities are linear and belong to one virtual view, so that a pixel is the same point of the
 sample under every light.
 """
 
@@ -8,13 +10,15 @@ from __future__ import annotations
 
 import math
 from dataclasses import dataclass
+from typing import Any
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from reliefscope.errors import InvalidInputError
-from reliefscope.reconstruction import ps_kernels
-from reliefscope.units import FloatImage
+from reliefscope.models.light_field import LightField
+from reliefscope.reconstruction import ps_kernels, ps_robust_kernels
+from reliefscope.units import BoolImage, FloatImage
 
 RESIDUAL_SCALE = 0.2
 """Residual, as a fraction of full scale, that halves the quality, eq. 10."""
@@ -32,8 +36,20 @@ It bounds by how much a relative error of the intensities can grow in the normal
 rings of 22.5 and 45 degrees elevation have 1.0, twelve lights within 25 degrees of the axis about
 5, lights in one row or column tens to thousands.
 """
-_MINIMUM_SPREAD = 1e-4
-"""Determinant of the normal matrix of the kept lights, over the cube of their number (1/27 at best)."""
+DROPPED_SHARE = 0.4
+"""Share of the usable lights, the brightest, that the robust form sets aside at first.
+
+A smooth surface throws its highlight toward some lights only, and those are the bright ones.  On the simulated metal
+(GGX width 0.35) the median error of normals on planes falls from 15 degrees without to 6.2 with a share of 0.3
+and 3.7 with 0.4; on the matt finish it stays at 1.4.
+"""
+DROPPED_DARK_SHARE = 0.2
+"""Share of the lights, the darkest, that is set aside at first where no mask tells cast shadows."""
+KEPT_AT_LEAST = 6
+"""Lights that are never set aside: twice the number of unknowns."""
+REWEIGHTINGS = 3
+TOLERATED_RESIDUAL = 0.01
+"""Residual, as a fraction of the albedo, that is never held against a light."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -55,6 +71,10 @@ class PsResult:
         Score of eq. 10, 0 where the normal or a neighbour is missing or looks away from the camera.
     slant_rad:
         Angle between the normal and the optical axis.
+    sigma_rad:
+        Error of the normal that residuals of this size cause; of the robust form only.
+    lights_used:
+        Sum of the weights of the lights; of the robust form only.
     """
 
     normals: FloatImage
@@ -63,6 +83,16 @@ class PsResult:
     change: FloatImage
     quality: FloatImage
     slant_rad: FloatImage
+    sigma_rad: FloatImage | None = None
+    lights_used: FloatImage | None = None
+
+    @classmethod
+    def empty(cls, shape: tuple[int, int], *, robust: bool = False) -> PsResult:
+        """Space for a result of ``shape`` (H, W), to be given as ``out``."""
+        normals = np.empty((*shape, 3), np.float32)
+        planes = [np.empty(shape, np.float32) for _ in range(5)]
+        extra = [np.empty(shape, np.float32) for _ in range(2)] if robust else [None, None]
+        return cls(normals, *planes, *extra)
 
 
 def check_directions(
@@ -111,73 +141,169 @@ def check_directions(
     return unit
 
 
-def solve_lambert(
+def solve(
     images: FloatImage,
-    directions: ArrayLike,
+    lights: LightField,
+    pixel_um: float,
     *,
-    trim: tuple[float, float] | None = None,
-    full_scale: float = 1.0,
+    usable: BoolImage | None = None,
+    plane_um: float = 0.0,
+    full_scale: float | None = None,
     maximum_condition: float = MAXIMUM_CONDITION,
+    out: PsResult | None = None,
 ) -> PsResult:
-    """Normals, albedo and quality from intensities under known lights.
+    """Normals, albedo and quality by the robust form; see :mod:`~reliefscope.reconstruction.ps_robust_kernels`.
 
     Parameters
     ----------
     images:
-        (L, H, W) float32, linear; NaN marks missing pixels.
-    directions:
-        (L, 3) vectors from the sample to the lights; only their directions count.
-    trim:
-        None: least squares over all lights, as the paper does.  (low, high): least squares over the
-        lights whose intensity at the pixel ranks between these fractions, which leaves shadows
-        (low) and highlights (high) out; eq. 7 then counts the kept lights only.  (0.2, 0.9) is a
-        good choice from eight lights on.
+        (L, H, W) float32, linear, in the view s = 0, as the lights gave them: their powers are in ``lights``.
+        NaN is missing.
+    lights:
+        Where the light of each image came from; near or distant.
+    pixel_um:
+        Size of a pixel on the sample; the focal point lies in the middle of the image.
+    usable:
+        (L, H, W) mask: no cast shadow (:func:`reliefscope.reconstruction.shadows.lit`), not saturated.  Where fewer
+        than four lights are usable, all are used, and ``sigma_rad`` tells.
+    plane_um:
+        Height at which the lights' field is taken.
     full_scale:
-        Intensity that counts as 1 in the quality of eq. 10, see :func:`full_scale_of`.
+        Intensity that counts as 1 in the quality of eq. 10; by default that of :func:`full_scale_of`.
     maximum_condition:
         See :data:`MAXIMUM_CONDITION`.
+    out:
+        Where the result goes, from :meth:`PsResult.empty` with ``robust=True``; made if left out.
 
     Raises
     ------
     InvalidInputError
-        Too few or badly spread lights, shapes that do not belong together, a trimming that leaves
-        fewer than three lights.
+        Too few or badly spread lights, shapes that do not belong together.
+    """
+    check_directions(lights.directions, maximum_condition)
+    stack = _checked_stack(images, len(lights))
+    mask = np.ones(stack.shape, np.bool_) if usable is None else usable
+    if mask.shape != stack.shape:
+        raise InvalidInputError(
+            f"A mask of shape {mask.shape} does not belong to images of shape {stack.shape}.",
+            hint="Give one mask per image, of its size.",
+        )
+    shape = (stack.shape[1], stack.shape[2])
+    result = PsResult.empty(shape, robust=True) if out is None else out
+    assert result.sigma_rad is not None  # space of the robust form
+    assert result.lights_used is not None
+    gains = lights.powers.mean() / lights.powers
+    if full_scale is None:
+        full_scale = full_scale_of(stack) * float(np.median(gains))
+    ps_robust_kernels.solve_robust(
+        stack,
+        gains.astype(np.float32),
+        _knots(lights.scaled(1.0 / lights.powers), shape, pixel_um, plane_um),
+        np.ascontiguousarray(mask),
+        DROPPED_SHARE,
+        DROPPED_DARK_SHARE if usable is None else 0.0,
+        KEPT_AT_LEAST,
+        REWEIGHTINGS,
+        TOLERATED_RESIDUAL,
+        result.normals,
+        result.albedo,
+        result.residual,
+        result.sigma_rad,
+        result.lights_used,
+    )
+    _score(result, full_scale)
+    return result
+
+
+def solve_lambert(
+    images: FloatImage,
+    directions: ArrayLike,
+    *,
+    full_scale: float = 1.0,
+    maximum_condition: float = MAXIMUM_CONDITION,
+    out: PsResult | None = None,
+) -> PsResult:
+    """Normals, albedo and quality by least squares over all lights, as the paper has them.
+
+    Parameters
+    ----------
+    images:
+        (L, H, W) float32, linear, of lights of equal power; NaN marks missing pixels.
+    directions:
+        (L, 3) vectors from the sample to the lights; only their directions count.
+    full_scale:
+        Intensity that counts as 1 in the quality of eq. 10, see :func:`full_scale_of`.
+    maximum_condition:
+        See :data:`MAXIMUM_CONDITION`.
+    out:
+        Where the result goes, from :meth:`PsResult.empty`; made if left out.
+
+    Raises
+    ------
+    InvalidInputError
+        Too few or badly spread lights, shapes that do not belong together.
     """
     unit = check_directions(directions, maximum_condition)
-    if images.ndim != 3 or len(images) != len(unit):
+    stack = _checked_stack(images, len(unit))
+    shape = (stack.shape[1], stack.shape[2])
+    result = PsResult.empty(shape) if out is None else out
+    ps_kernels.solve_least_squares(
+        stack,
+        np.ones(len(unit), np.float32),
+        _even_knots(np.linalg.pinv(unit).T, shape),
+        _even_knots(unit, shape),
+        result.normals,
+        result.albedo,
+        result.residual,
+    )
+    _score(result, full_scale)
+    return result
+
+
+def _checked_stack(images: FloatImage, lights: int) -> FloatImage:
+    if images.ndim != 3 or len(images) != lights:
         raise InvalidInputError(
-            f"{len(unit)} light directions do not belong to images of shape {images.shape}.",
+            f"{lights} lights do not belong to images of shape {images.shape}.",
             hint="Images have the shape (lights, rows, columns).",
         )
-    stack = np.ascontiguousarray(images, dtype=np.float32)
-    lights, height, width = stack.shape
-    pseudo_inverse = np.ascontiguousarray(np.linalg.pinv(unit), dtype=np.float32)
-    matrix = np.ascontiguousarray(unit, dtype=np.float32)
-    normals = np.empty((height, width, 3), np.float32)
-    albedo = np.empty((height, width), np.float32)
-    residual = np.empty((height, width), np.float32)
-    if trim is None:
-        ps_kernels.solve_least_squares(stack, pseudo_inverse, matrix, normals, albedo, residual)
-    else:
-        first, last = kept_ranks(lights, trim)
-        ps_kernels.solve_trimmed(
-            stack, pseudo_inverse, matrix, first, last, _MINIMUM_SPREAD, normals, albedo, residual
-        )
-    slant = np.empty_like(residual)
-    change = np.empty_like(residual)
-    quality = np.empty_like(residual)
+    return np.ascontiguousarray(images, dtype=np.float32)
+
+
+def _even_knots(vectors: NDArray[np.floating[Any]], shape: tuple[int, int]) -> FloatImage:
+    """Vectors (L, 3) that hold everywhere, as the kernels take them."""
+    return _knots(LightField(np.asarray(vectors, dtype=np.float64)), shape, 1.0)
+
+
+def _knots(
+    lights: LightField, shape: tuple[int, int], pixel_um: float, plane_um: float = 0.0
+) -> FloatImage:
+    """Irradiance vectors (L, KR, KC, 3) at the corners of the kernels' blocks, from which they interpolate.
+
+    Between corners 0.15 mm apart and LEDs 20 mm away this is exact to 1e-5.  Heights of 75 um change direction by
+    up to 0.2 degrees and strength by up to 1 %, alike for all lights of a ring; they are not followed.
+    """
+    block = ps_kernels.BLOCK
+    rows = np.arange(math.ceil(shape[0] / block) + 1) * block
+    columns = np.arange(math.ceil(shape[1] / block) + 1) * block
+    x_um = (columns - (shape[1] - 1) / 2) * pixel_um
+    y_um = ((shape[0] - 1) / 2 - rows) * pixel_um
+    points = np.stack(
+        np.broadcast_arrays(x_um[None, :], y_um[:, None], np.float64(plane_um)), axis=-1
+    )
+    return np.ascontiguousarray(lights.irradiance(points), dtype=np.float32)
+
+
+def _score(result: PsResult, full_scale: float) -> None:
     ps_kernels.score_quality(
-        normals,
-        residual,
+        result.normals,
+        result.residual,
         RESIDUAL_SCALE * full_scale,
         SLANT_SCALE_RAD,
         CHANGE_SCALE,
-        slant,
-        change,
-        quality,
+        result.slant_rad,
+        result.change,
+        result.quality,
     )
-    quality[~(normals[..., 2] > 0.0)] = 0.0
-    return PsResult(normals, albedo, residual, change, quality, slant)
 
 
 def full_scale_of(images: FloatImage, percentile: float = FULL_SCALE_PERCENTILE) -> float:
@@ -191,27 +317,3 @@ def full_scale_of(images: FloatImage, percentile: float = FULL_SCALE_PERCENTILE)
     """
     level = float(np.nanpercentile(images[:, ::4, ::4], percentile))
     return level if level > 0.0 else 1.0
-
-
-def kept_ranks(lights: int, trim: tuple[float, float]) -> tuple[int, int]:
-    """First and one past the last rank (darkest = 0) of the lights between two fractions.
-
-    Raises
-    ------
-    InvalidInputError
-        Fractions out of order or fewer than three lights left.
-    """
-    low, high = trim
-    if not 0.0 <= low < high <= 1.0:
-        raise InvalidInputError(
-            f"Trimming fractions must satisfy 0 <= low < high <= 1, not {low:g} and {high:g}.",
-            hint="Use for instance 0.2 and 0.9.",
-        )
-    first = math.floor(low * lights + 1e-9)
-    last = math.ceil(high * lights - 1e-9)
-    if last - first < 3:
-        raise InvalidInputError(
-            f"Trimming to {low:g}-{high:g} keeps {last - first} of {lights} lights; 3 are needed.",
-            hint="Trim less, or use plain least squares (method `paper`).",
-        )
-    return first, last

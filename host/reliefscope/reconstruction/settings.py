@@ -24,18 +24,12 @@ class JointSettings(StrictModel):
     """Heights of a lower quality are discarded."""
     occlusion: bool = True
     """Leave a view out where the surface hides the point from it."""
-    trim: tuple[Fraction, Fraction] = (0.2, 0.9)
-    """Share of the lights, darkest first, between which intensities count, where there are lights enough."""
+    shadows: bool = True
+    """Leave a light out where the height puts the point into its shadow."""
     photometric_quality: Fraction = 0.25
     """Normals of a lower quality are discarded."""
     tolerance_um: Positive | None = None
     """Estimated RMS distance to the exact minimum at which the solver stops; None: a hundredth of a pixel."""
-
-    @model_validator(mode="after")
-    def _in_order(self) -> Self:
-        if not self.trim[0] < self.trim[1]:
-            raise ValueError("trim must be [low, high], fractions of the lights")
-        return self
 
 
 class PaperSettings(StrictModel):
