@@ -30,6 +30,7 @@ from reliefscope.jobs import Job, ensure_job
 from reliefscope.reconstruction import tiles
 from reliefscope.reconstruction.joint_kernels import expand, score_tile_jointly, window_variance
 from reliefscope.reconstruction.matcher import LEAST_SHARE, Tile
+from reliefscope.reconstruction.matching_error import standard_error
 from reliefscope.reconstruction.mvs import MvsResult, check_baseline, check_views
 from reliefscope.reconstruction.ncc_kernels import pick_heights
 from reliefscope.reconstruction.shifts import TAPS, plan_shifts, valid_span
@@ -170,6 +171,7 @@ def match_jointly(
     height_um = np.empty(coarse, dtype=np.float32)
     quality = np.empty(coarse, dtype=np.float32)
     peak = np.empty(coarse, dtype=np.float32)
+    curvature = np.empty(coarse, dtype=np.float32)
     rows = valid_span(plan.row_px, coarse[0], reach)
     cols = valid_span(plan.col_px, coarse[1], reach)
     least_scores = math.ceil(LEAST_SHARE * heights.size)
@@ -201,7 +203,14 @@ def match_jointly(
         )
         part = (slice(tile[0], tile[1]), slice(tile[2], tile[3]))
         pick_heights(
-            curves, heights, least_scores, True, height_um[part], quality[part], peak[part]
+            curves,
+            heights,
+            least_scores,
+            True,
+            height_um[part],
+            quality[part],
+            peak[part],
+            curvature[part],
         )
 
     places = _tiles(
@@ -210,11 +219,15 @@ def match_jointly(
     with ensure_job(job).stage("match", len(places)) as stage:
         tiles.run_each(work, places, stage)
     np.clip(height_um, low, high, out=height_um)
+    sigma_um = standard_error(height_um, peak, curvature, SOFTNESS)
     jump = JUMP_STEPS * float(heights[1] - heights[0])
     height_um = _expanded(height_um, shape, binning, jump)
     quality = _expanded(quality, shape, binning, math.inf)
-    quality[np.isnan(height_um)] = 0.0
-    return MvsResult(height_um, quality, _expanded(peak, shape, binning, math.inf))
+    sigma_um = _expanded(sigma_um, shape, binning, math.inf)
+    missing = np.isnan(height_um)
+    quality[missing] = 0.0
+    sigma_um[missing] = np.inf
+    return MvsResult(height_um, quality, _expanded(peak, shape, binning, math.inf), sigma_um)
 
 
 def _prepared(

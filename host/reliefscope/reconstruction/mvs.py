@@ -45,6 +45,9 @@ class MvsResult:
     """Greatest score minus the median over the candidate heights; 0 where missing."""
     peak: FloatImage
     """Greatest mean NCC; NaN where missing."""
+    sigma_um: FloatImage | None = None
+    """Standard error of the height, infinite where missing (:mod:`~reliefscope.reconstruction.matching_error`);
+    None: not told, as by the paper's search."""
 
     def accepted(self, threshold: float = QUALITY_THRESHOLD) -> BoolImage:
         """Pixels (H, W) with a height of at least this quality."""
@@ -153,6 +156,7 @@ def match_views(
     height_um = np.empty(shape, dtype=np.float32)
     quality = np.empty(shape, dtype=np.float32)
     peak = np.empty(shape, dtype=np.float32)
+    curvature = np.empty(shape, dtype=np.float32)
     least_scores = max(1, math.ceil(LEAST_SHARE * heights.size))
 
     def work(tile: Tile) -> None:
@@ -165,6 +169,7 @@ def match_views(
             height_um[part],
             quality[part],
             peak[part],
+            curvature[part],
         )
 
     places = matcher.tiles()

@@ -329,8 +329,14 @@ def pick_heights(
     height_um: F32,
     quality: F32,
     peak: F32,
+    curvature: F32,
 ) -> None:
-    """Height of the greatest score, its score, and its lead over the median, from ``curves`` (N, >= R, >= C)."""
+    """Height of the greatest score and what the scores tell about it, from ``curves`` (N, >= R, >= C).
+
+    ``quality`` is the lead of the greatest score over the median, ``peak`` the score itself, ``curvature`` minus its
+    second derivative with height (per um squared; 0 at the ends of the range).  Where fewer than
+    ``least_scores`` heights have a score, the height and the peak are NaN.
+    """
     count = heights_um.size
     rows, cols = height_um.shape
     block = np.empty((LANE, count), dtype=np.float32)
@@ -357,12 +363,19 @@ def pick_heights(
                     height_um[r, c] = np.nan
                     quality[r, c] = 0.0
                     peak[r, c] = np.nan
+                    curvature[r, c] = 0.0
                     continue
                 chosen = heights_um[best]
-                if parabola and 0 < best < count - 1:
+                bend = 0.0
+                if 0 < best < count - 1:
                     before, after = curve[best - 1], curve[best + 1]
                     if not (np.isnan(before) or np.isnan(after)):
-                        chosen = vertex_height(heights_um, best, before, curve[best], after)
+                        if parabola:
+                            chosen = vertex_height(heights_um, best, before, curve[best], after)
+                        lower = (curve[best] - before) / (heights_um[best] - heights_um[best - 1])
+                        upper = (curve[best] - after) / (heights_um[best + 1] - heights_um[best])
+                        bend = 2.0 * (lower + upper) / (heights_um[best + 1] - heights_um[best - 1])
+                curvature[r, c] = bend
                 height_um[r, c] = chosen
                 peak[r, c] = curve[best]
                 quality[r, c] = curve[best] - _median(scores, size)

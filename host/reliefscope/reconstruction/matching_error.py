@@ -1,0 +1,65 @@
+"""How far a matched height may be off: a standard error from the peak of the score and its surroundings.
+
+Two things tell.  The *width* of the peak: matching to a likelihood, ``log L ~ -log(1 - score + softness)``,
+whose curvature at the peak falls with noise and with lack of texture.  And the *roughness* of the heights
+around the pixel, their deviation from a plane: where matching errs, neighbours disagree, and at a step the
+windows straddle it.  The standard error is a product of powers of them, fitted to the true errors of the
+simulated instrument (docs/explanation/default-method.md tells scenes and coverage).
+"""
+
+from __future__ import annotations
+
+import cv2
+import numpy as np
+
+from reliefscope.units import FloatImage
+
+SCALE = 0.03
+WIDTH_EXPONENT = 2.0
+ROUGHNESS_EXPONENT = 0.4
+"""Standard error in um per um of width and of roughness, to these powers."""
+WINDOWS = (5, 9)
+"""Windows of the roughness in samples: about that of matching, and one that sees a step from either side."""
+LEAST_ROUGHNESS_UM = 0.05
+GREATEST_UM = 50.0
+"""Standard error at which nothing is known."""
+
+
+def roughness(height_um: FloatImage, window: int) -> FloatImage:
+    """RMS deviation (H, W) of the heights in an odd window from the plane that fits them best."""
+    reach = window // 2
+    offsets = np.arange(-reach, reach + 1, dtype=np.float32)
+    spread = float(np.mean(offsets**2))
+    ramp = np.tile(offsets, (window, 1)) / np.float32(spread * window**2)
+    z = height_um - np.float32(height_um.mean(dtype=np.float64))
+    mean = cv2.blur(z, (window, window))
+    along = cv2.filter2D(z, -1, ramp)
+    down = cv2.filter2D(z, -1, np.ascontiguousarray(ramp.T))
+    variance = cv2.blur(z * z, (window, window)) - mean**2 - spread * (along**2 + down**2)
+    return np.asarray(np.sqrt(np.maximum(variance, 0.0)), dtype=np.float32)
+
+
+def standard_error(
+    height_um: FloatImage, peak: FloatImage, curvature: FloatImage, softness: float
+) -> FloatImage:
+    """Standard error (H, W) of matched heights in um, at most :data:`GREATEST_UM`.
+
+    Parameters
+    ----------
+    height_um:
+        (H, W) heights, NaN where missing (:data:`GREATEST_UM`).
+    peak, curvature:
+        Greatest score, and minus its second derivative with height there, per um squared.
+    softness:
+        What ``1 - score`` leaves at a perfect match.
+    """
+    known = np.isfinite(height_um)
+    filled = np.where(
+        known, height_um, np.float32(np.median(height_um[known]) if known.any() else 0)
+    )
+    near, far = (np.maximum(roughness(filled, window), LEAST_ROUGHNESS_UM) for window in WINDOWS)
+    with np.errstate(divide="ignore", invalid="ignore"):
+        width = np.sqrt((1.0 + softness - peak) / np.maximum(curvature, 0.0))
+        sigma = SCALE * width**WIDTH_EXPONENT * (near * far) ** ROUGHNESS_EXPONENT
+    sigma[~known] = GREATEST_UM
+    return np.asarray(np.fmin(sigma, GREATEST_UM), dtype=np.float32)
