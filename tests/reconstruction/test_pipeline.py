@@ -129,7 +129,7 @@ def test_the_relief_is_recovered(
     assert np.abs(slope_y - gy)[INNER].mean() < 0.02
     named = {"read frames", "match", "smooth", "register", "photometric stereo", "fuse"}
     if settings.method == "joint":
-        named.add("visibility")
+        named |= {"visibility", "shadows"}
     assert stages == named, "progress and the table of times use the same names"
     assert set(result.timings_s) == named
     assert result.peak_memory_mb > 10
