@@ -20,6 +20,7 @@ COMMANDS = [
     "focus-stack",
     "verify",
     "bundle",
+    "calibrate",
     "sim",
     "info",
     "import",

@@ -20,6 +20,7 @@ from reliefscope import __version__
 from reliefscope.cli.commands import (
     acquire,
     bundle,
+    calibrate,
     dataset,
     demo,
     diagnose,
@@ -58,6 +59,7 @@ app.command("verify", rich_help_panel="Look after runs")(dataset.verify)
 app.command("bundle", rich_help_panel="Look after runs")(bundle.bundle)
 app.command("flash", rich_help_panel="Look after the instrument")(flash.flash)
 app.command("link-test", rich_help_panel="Look after the instrument")(link_test.link_test)
+app.add_typer(calibrate.app, name="calibrate", rich_help_panel="Measure")
 
 COMMAND_GROUP = "reliefscope.commands"
 for _entry in entry_points(group=COMMAND_GROUP):

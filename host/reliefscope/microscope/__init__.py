@@ -13,7 +13,14 @@ Example::
 from reliefscope.microscope.bundles import bundle_run
 from reliefscope.microscope.demonstration import DemoResult, demo
 from reliefscope.microscope.evaluating import Evaluation, evaluate_run
-from reliefscope.microscope.experiments import FocusOutcome, focus_pictures, record_stack
+from reliefscope.microscope.experiments import (
+    FocusOutcome,
+    ZCalibration,
+    calibrate_z,
+    focus_pictures,
+    record_stack,
+    take_z_stage,
+)
 from reliefscope.microscope.instruments import Instrument, default_devices, resolve_instrument
 from reliefscope.microscope.live import Microscope
 from reliefscope.microscope.places import fresh_path
@@ -29,8 +36,10 @@ __all__ = [
     "Microscope",
     "Outcome",
     "StoredRun",
+    "ZCalibration",
     "bundle_run",
     "calibrate_lights",
+    "calibrate_z",
     "default_devices",
     "demo",
     "evaluate_run",
@@ -41,4 +50,5 @@ __all__ = [
     "reconstruct_run",
     "record_stack",
     "resolve_instrument",
+    "take_z_stage",
 ]

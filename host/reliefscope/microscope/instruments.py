@@ -2,7 +2,8 @@
 
 Profile: the one that was asked for, else the one that belongs to the URL, else ``benchtop``.  Calibration: the
 one that was asked for, else the one that belongs to the URL, else the newest one stored for this instrument
-(by serial number, then by profile), else nominal.
+(by serial number, then by profile), else nominal.  Where the one that belongs to the URL is nominal itself, one
+stored under the instrument's serial number comes first: it was measured since.
 """
 
 from __future__ import annotations
@@ -85,11 +86,14 @@ def resolve_instrument(
         found = load_calibration(calibration)
         _check_leds(found, chosen, source)
         return Instrument(chosen, found, profile_from, source)
+    shelf = store or CalibrationStore()
+    stored = shelf.find(chosen.name, serial_number)
     if offer is not None and offer.profile.name == chosen.name:
         found = offer.calibration
-        if len(found.led_positions_mm) == chosen.dome.count:
+        measured = stored is not None and stored[0] == shelf.path(chosen.name, serial_number)
+        better = found.source == "nominal" and serial_number and measured
+        if len(found.led_positions_mm) == chosen.dome.count and not better:
             return Instrument(chosen, found, profile_from, f"{found.source}, came with {url}")
-    stored = (store or CalibrationStore()).find(chosen.name, serial_number)
     if stored is not None:
         path, found = stored
         _check_leds(found, chosen, str(path))

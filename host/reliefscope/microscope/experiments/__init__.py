@@ -5,9 +5,17 @@ from reliefscope.microscope.experiments.focus import (
     focus_pictures,
     record_stack,
 )
+from reliefscope.microscope.experiments.z_stage import (
+    ZCalibration,
+    calibrate_z,
+    take_z_stage,
+)
 
 __all__ = [
     "FocusOutcome",
+    "ZCalibration",
+    "calibrate_z",
     "focus_pictures",
     "record_stack",
+    "take_z_stage",
 ]
