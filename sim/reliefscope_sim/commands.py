@@ -7,7 +7,6 @@ the bench before a command really runs.
 from __future__ import annotations
 
 import json
-import re
 import signal
 import threading
 from pathlib import Path
@@ -147,10 +146,10 @@ def z_stack(
     url: Annotated[
         str, typer.Argument(metavar="URL", help="Instrument whose sample is meant, sim://NAME?...")
     ] = "sim://benchtop?scene=fiducial",
-    size: Annotated[
-        str | None,
+    field_um: Annotated[
+        float | None,
         typer.Option(
-            "--size", metavar="WxH", help="Central region in pixels of 0.69 um; the whole sample."
+            "--field-um", help="Side of the central square; all that the instrument sees."
         ),
     ] = None,
     as_json: Annotated[
@@ -164,21 +163,12 @@ def z_stack(
     """
     from reliefscope_sim.z_stack import record_z_stack
 
-    stack = record_z_stack(url, out, size=None if size is None else _size(size))
+    stack = record_z_stack(url, out, field_um=field_um)
     if as_json:
         content = {"schema_version": JSON_SCHEMA_VERSION, **stack.model_dump(mode="json")}
         typer.echo(json.dumps(content, indent=2))
     else:
         typer.echo(f"{len(stack.planes)} images in {out}\nNext: reliefscope focus-stack {out}")
-
-
-def _size(text: str) -> tuple[int, int]:
-    match = re.fullmatch(r"(\d{2,5})x(\d{2,5})", text)
-    if match is None:
-        raise InvalidInputError(
-            f"`{text}` is no size.", hint="Write COLUMNSxROWS, as in `--size 640x480`."
-        )
-    return int(match[1]), int(match[2])
 
 
 def _save(url: str, folder: Path) -> dict[str, str]:

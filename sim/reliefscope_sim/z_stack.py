@@ -106,7 +106,7 @@ class FocusingRenderer(Renderer):
         super().__init__(profile, lifted(scene, -self._focused_at_um), as_built)
         self._light = tuple((led, 1.0) for led in range(profile.dome.count))
         self._radiance: dict[tuple[float, ...], FloatImage] = {}
-        self._points = _disc(profile.optics.pupil_diameter_mm)
+        self._pupil_points = _disc(profile.optics.pupil_diameter_mm)
 
     def focused(self, focus_um: float) -> FloatImage:
         """Image (H, W) with ``focus_um`` in focus: radiance times mm^2 of the pupil, without noise."""
@@ -118,7 +118,7 @@ class FocusingRenderer(Renderer):
             0.0 if self._surface.specular is None else _GLOSS_CELL_MM,
             0,
         )
-        image: FloatImage = viewer.image(b"pupil", self._points, self._shade)[0]
+        image: FloatImage = viewer.image(b"pupil", self._pupil_points, self._shade)[0]
         return image
 
     def record(self, focus_um: float, gain: float, noise_key: tuple[int, ...]) -> RawImage:
@@ -135,7 +135,7 @@ class FocusingRenderer(Renderer):
 
 
 def record_z_stack(
-    url: str, out: Path, *, size: tuple[int, int] | None = None, job: Job | None = None
+    url: str, out: Path, *, field_um: float | None = None, job: Job | None = None
 ) -> ZStack:
     """Take the stack of the sample under the simulated instrument at ``url``.
 
@@ -150,15 +150,7 @@ def record_z_stack(
             f"{out} exists already; nothing was changed.", hint="Give `--out` another name."
         )
     instrument = address.load_profile()
-    pixel_um = _CAMERA_PIXEL_UM / _MAGNIFICATION
-    rows, columns = (math.ceil(n * instrument.pixel_um / pixel_um) for n in instrument.shape)
-    wanted = size or (min(columns, _SENSOR[0]), min(rows, _SENSOR[1]))
-    if not (16 <= wanted[0] <= _SENSOR[0] and 16 <= wanted[1] <= _SENSOR[1]):
-        raise InvalidInputError(
-            f"The camera of the z-stack microscope cannot read out {wanted[0]}x{wanted[1]} pixels.",
-            hint=f"Choose a size from 16x16 to {_SENSOR[0]}x{_SENSOR[1]}.",
-        )
-    profile = reference_microscope(wanted)
+    profile = reference_microscope(_frame(instrument, field_um))
     scene = load_scene(
         address.scene,
         address.seed,
@@ -195,6 +187,20 @@ def record_z_stack(
             hint="Check the disk and the permissions of the folder.",
         ) from error
     return stack
+
+
+def _frame(instrument: InstrumentProfile, field_um: float | None) -> tuple[int, int]:
+    """(columns, rows) that show a square of ``field_um``, at most what instrument and sensor see."""
+    pixel_um = _CAMERA_PIXEL_UM / _MAGNIFICATION
+    seen = [size * instrument.pixel_um / pixel_um for size in instrument.shape[::-1]]
+    wanted = seen if field_um is None else [field_um / pixel_um] * 2
+    columns, rows = (int(min(sides)) for sides in zip(wanted, seen, _SENSOR, strict=True))
+    if columns < 16 or rows < 16:
+        raise InvalidInputError(
+            f"A field of {columns} x {rows} pixels is too small for the z-stack microscope.",
+            hint=f"Give a field of at least {16 * pixel_um:.0f} um.",
+        )
+    return columns, rows
 
 
 def _disc(diameter_mm: float) -> PupilPoints:

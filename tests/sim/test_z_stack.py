@@ -4,7 +4,7 @@ import numpy as np
 import pytest
 
 from reliefscope.dataset.image_stack import ImageStack, open_stack
-from reliefscope.errors import OutputExistsError
+from reliefscope.errors import InvalidInputError, OutputExistsError
 from reliefscope.reconstruction.focus_stacking import focus_stack
 from reliefscope_sim.scenes import Scene
 from reliefscope_sim.z_stack import FocusingRenderer, record_z_stack, reference_microscope
@@ -64,5 +64,8 @@ def test_stack_on_disk_gives_the_height_of_the_stage(tmp_path):
     known = result.picked_um[result.accepted()]
     assert np.median(known) == 20.0
     assert (np.abs(known - 20.0) <= 5.0).mean() > 0.9
+    assert next(stack.images()).shape == (48 * 1.116 // 0.69, 64 * 1.116 // 0.69)
     with pytest.raises(OutputExistsError):
         record_z_stack(url, tmp_path / "stack")
+    with pytest.raises(InvalidInputError, match="too small"):
+        record_z_stack(url, tmp_path / "tiny", field_um=5.0)

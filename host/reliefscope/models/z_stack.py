@@ -50,8 +50,6 @@ class StackRecorder(Protocol):
     URLs.  The folder ``out`` is new and receives the images and :data:`STACK_FILE`.
     """
 
-    def __call__(
-        self, url: str, out: Path, *, size: tuple[int, int] | None, job: Job | None
-    ) -> ZStack:
-        """``size`` is (columns, rows) of the central region to take; None: the whole sensor."""
+    def __call__(self, url: str, out: Path, *, field_um: float | None, job: Job | None) -> ZStack:
+        """``field_um`` is the side of the central square to take; None: all that the instrument sees."""
         ...

@@ -68,7 +68,7 @@ class FocusOutcome:
 
 
 def record_stack(
-    url: str, out: Path | str, *, size: tuple[int, int] | None = None, job: Job | None = None
+    url: str, out: Path | str, *, field_um: float | None = None, job: Job | None = None
 ) -> ImageStack:
     """Take a stack of what lies under the instrument of ``url`` with the microscope that stands beside it.
 
@@ -78,15 +78,15 @@ def record_stack(
         Instrument whose sample is meant; a simulated one has such a microscope.
     out:
         New folder for the images and their ``stack.yml``.
-    size:
-        (columns, rows) of the central region to take; the whole sample if left out.
+    field_um:
+        Side of the central square to take; all that the instrument sees if left out.
     job:
         Receives progress; may cancel.
 
     Raises
     ------
     InvalidInputError
-        No microscope goes with this URL, or its camera cannot read out that size.
+        No microscope goes with this URL, or the field is too small.
     OutputExistsError
         ``out`` exists.
     """
@@ -97,7 +97,7 @@ def record_stack(
             hint="Take the images with any microscope; `reliefscope focus-stack FOLDER --step-um 5` reads them.",
         )
     record = cast(StackRecorder, found[0].load())
-    description = record(url, Path(out), size=size, job=job)
+    description = record(url, Path(out), field_um=field_um, job=job)
     return ImageStack(Path(out), description)
 
 
