@@ -1,5 +1,7 @@
 """Samples by name, their options, and the state of an instrument as built."""
 
+import cv2
+import numba
 import numpy as np
 import pytest
 
@@ -9,7 +11,7 @@ from reliefscope.models.instrument import load_profile
 from reliefscope.targets import Fiducial3D
 from reliefscope_sim.as_built import AsBuilt
 from reliefscope_sim.scenes import SCENES, Scene, load_scene
-from reliefscope_sim.scenes.regolith import drop_grains
+from reliefscope_sim.scenes.grains.simulants import SIMULANTS
 from reliefscope_sim.scenes.scene import MARGIN_PX
 
 PITCH = 1.116
@@ -104,18 +106,80 @@ def test_maps_of_a_scene_must_fit_together():
         Scene("bad", 1.0, height, height, specular=height)
 
 
-def test_grains_rest_on_what_lies_below_them():
-    generator = np.random.default_rng(8)
-    surface, kind, shade, grains = drop_grains(generator, 60, (200, 200), 2.0)
-    assert surface.min() >= 0
-    assert kind.shape == shade.shape == surface.shape
-    assert 40 < len(grains) <= 60
-    for grain in grains:
-        # No grain sinks below the table: its centre stays above by its extent along z.
-        A = grain.rotation @ np.diag(np.square(grain.semi_axes_um)) @ grain.rotation.T
-        assert grain.centre_um[2] >= np.sqrt(A[2, 2]) - 2.0
-        assert np.allclose(grain.rotation @ grain.rotation.T, np.eye(3), atol=1e-12)
-        assert np.linalg.det(grain.rotation) == pytest.approx(1.0)
+@pytest.mark.parametrize("simulant", sorted(SIMULANTS))
+def test_regolith_knows_each_grain_and_where_it_shows(simulant):
+    scene = load("regolith", simulant=simulant, grains=60)
+    index = scene.grain_index
+    assert index.shape == scene.height_um.shape
+    assert len(np.unique(index)) > 15
+    kinds = SIMULANTS[simulant].all_kinds
+    for number in np.unique(index[index >= 0]):
+        grain = scene.grains[number]
+        low, high = kinds[grain.kind].radii_um
+        assert low <= grain.radius_um <= high
+        # Where it shows, the surface lies between its lowest and its highest point, but for its roughness.
+        vertices, _ = grain.mesh_um()
+        shown = scene.height_um[index == number]
+        assert shown.max() < vertices[:, 2].max() + 6 * kinds[grain.kind].material.relief_um
+        assert shown.min() > vertices[:, 2].min() - 6 * kinds[grain.kind].material.relief_um
+    low, high = np.percentile(scene.height_um, [0.5, 99.5])
+    assert low + high == pytest.approx(0, abs=0.1)
+
+
+def test_sizes_of_grains_follow_their_power_law():
+    red_brown = SIMULANTS["mars1"].kinds[0]
+    grains = SIMULANTS["mars1"].draw(np.random.default_rng(1), 4000)
+    radii = np.array([grain.radius_um for grain in grains if grain.kind == 0])
+    assert len(radii) == pytest.approx(4000 * red_brown.share, rel=0.05)
+    low, high = red_brown.radii_um
+    for size in (10.0, 20.0, 30.0):
+        above = np.array([size, high]) ** -red_brown.steepness
+        expected = (above[0] - above[1]) / (low**-red_brown.steepness - high**-red_brown.steepness)
+        assert (radii > size).mean() == pytest.approx(expected, abs=0.03)
+
+
+def test_simulants_look_as_the_paper_says():
+    """Section V.B: dark asteroid with a white grain, red-brown Mars, dark grey Moon."""
+    scenes = {name: load("regolith", simulant=name) for name in SIMULANTS}
+    mean = {name: scene.albedo.mean(axis=(0, 1)) for name, scene in scenes.items()}
+    red, green, blue = mean["mars1"]
+    assert red > 1.5 * green > 2.2 * blue
+    assert np.ptp(mean["jsc1a"]) < 0.05 * mean["jsc1a"].max()
+    assert mean["jsc1a"].max() < 0.6 * red
+    # The asteroid's albedo is that of single scattering: a fifth and less of it comes back.
+    assert scenes["ds1"].hapke.mean() > 0.7
+    gloss = scenes["jsc1a"].specular.max(axis=2)
+    assert 0.01 < (gloss > 0.1).mean() < 0.1
+
+
+def test_the_asteroid_carries_its_white_grain_on_top_left_of_the_middle():
+    scene = load_scene("regolith", 1, {"simulant": "ds1"}, shape=(420, 560), pixel_um=PITCH)
+    white = scene.grains[-1]
+    long, middle, short = white.size_um
+    assert long == pytest.approx(300, abs=25)
+    assert middle == pytest.approx(100, abs=15)
+    assert short == pytest.approx(100, abs=15)
+    shown = scene.grain_index == len(scene.grains) - 1
+    # All of it shows: its outline is that of an ellipse of its size.
+    assert shown.sum() * PITCH**2 == pytest.approx(np.pi / 4 * long * middle, rel=0.15)
+    assert white.centre_um[0] < -50
+    assert scene.albedo[shown].mean() > 0.5
+    # There is no room for it in a small frame.
+    assert load("regolith", simulant="ds1").grains[-1].radius_um < 40
+
+
+def test_regolith_does_not_depend_on_the_number_of_threads():
+    threads = numba.get_num_threads(), cv2.getNumThreads()
+    first = load("regolith", simulant="jsc1a")
+    try:
+        numba.set_num_threads(1)
+        cv2.setNumThreads(1)
+        alone = load("regolith", simulant="jsc1a")
+    finally:
+        numba.set_num_threads(threads[0])
+        cv2.setNumThreads(threads[1])
+    for label in ("height_um", "albedo", "specular", "roughness", "grain_index"):
+        assert np.array_equal(getattr(first, label), getattr(alone, label)), label
 
 
 def test_an_instrument_as_built_departs_within_its_tolerances_and_tells_the_factory():

@@ -1,144 +1,133 @@
-"""Loose grains dropped one after the other, each coming to rest on what lies below it."""
+"""A levelled sample of loose regolith after one of the paper's simulants."""
 
 from __future__ import annotations
-
-from dataclasses import dataclass
 
 import numpy as np
 from numpy.typing import NDArray
 
-from reliefscope.axes import pixel_grid_um
 from reliefscope.units import FloatImage
+from reliefscope_sim.scenes.grains import Grain, Heap, pour
+from reliefscope_sim.scenes.grains.simulants import SIMULANTS, Colour, Material, Simulant
 from reliefscope_sim.scenes.options import Options
 from reliefscope_sim.scenes.scene import Scene
 from reliefscope_sim.scenes.textures import noise, speckle
 
-_GRAINS_PER_MM2 = 900.0
-_SEMI_AXES_UM = (12.0, 70.0)
-_MATERIALS: tuple[tuple[float, tuple[float, float, float], float], ...] = (
-    (0.55, (0.34, 0.22, 0.14), 0.0),
-    (0.30, (0.20, 0.15, 0.12), 0.02),
-    (0.10, (0.50, 0.42, 0.34), 0.04),
-    (0.05, (0.10, 0.10, 0.11), 0.25),
-)
-"""Share, albedo (linear RGB) and reflectance at normal incidence of each kind of grain."""
-
-
-@dataclass(frozen=True, slots=True)
-class Grain:
-    """Ellipsoid: centre, semi-axes and rotation matrix (columns are its axes) in um, kind of material."""
-
-    centre_um: tuple[float, float, float]
-    semi_axes_um: tuple[float, float, float]
-    rotation: NDArray[np.float64]
-    material: int
+_WIDE_ENOUGH_UM = 600.0
+"""Width of a frame from which on the grain on top is laid on it: it is 300 um long."""
+_BRIGHTEST = 0.98
 
 
 def regolith(seed: int, options: Options, shape: tuple[int, int], pixel_um: float) -> Scene:
-    """Rounded grains of wide size distribution, as many as ``grains`` or 900 per square millimetre."""
+    """Grains of ``simulant`` (ds1, jsc1a, mars1), ``grains`` in all or as many as it has on such an area.
+
+    The focal plane lies half way between the lowest and the highest half per cent of the surface.
+    """
+    simulant = SIMULANTS[options.choice("simulant", "mars1", tuple(sorted(SIMULANTS)))]
     area_mm2 = shape[0] * shape[1] * pixel_um**2 / 1e6
-    count = round(options.number("grains", _GRAINS_PER_MM2 * area_mm2, 1, 20000))
-    relief_um = options.number("relief_um", 100.0, 5.0, 1000.0)
+    wanted = simulant.grains_per_mm2 * area_mm2
+    count = options.number("grains", wanted, 1, 50_000)
     generator = np.random.default_rng([seed, 0x6E6])
-    height_um, kind, shade, _ = drop_grains(generator, count, shape, pixel_um)
-    # The highest grains would stand far above the rest: press the heap to the wanted relief.
-    low, middle, high = np.percentile(height_um, [1, 50, 99])
-    height_um = (height_um - middle) * (relief_um / max(high - low, 1e-3))
-    height_um += 0.3 * noise(generator, shape, 1.5 / pixel_um)
-    texture = speckle(
-        generator, shape, (1.2 / pixel_um, 3.0 / pixel_um, 9.0 / pixel_um), (0.8, 1.0, 0.6)
-    )
-    colours = np.array([colour for _, colour, _ in _MATERIALS], dtype=np.float32)
-    gloss = np.array([specular for _, _, specular in _MATERIALS], dtype=np.float32)
-    albedo = colours[kind] * (shade * np.exp(0.25 * texture))[..., None]
+    heap = _heap(generator, simulant, count, shape, pixel_um)
+    # Dust is the last material, and stands for grain -1.
+    materials = (*(kind.material for kind in simulant.all_kinds), simulant.dust)
+    material = np.array([*(grain.kind for grain in heap.grains), len(materials) - 1])[
+        heap.grain_index
+    ]
+    relief_um = _table([each.relief_um for each in materials])[material]
+    height_um = heap.height_um + relief_um * noise(generator, material.shape, 1.5 / pixel_um)
+    middle = float(np.percentile(height_um, [0.5, 99.5]).mean())
+    albedo = _albedo(generator, simulant, material, heap, pixel_um)
+    specular, roughness = _gloss(generator, materials, material, heap, pixel_um)
     return Scene(
         "regolith",
         pixel_um,
-        height_um.astype(np.float32),
-        np.clip(albedo, 0.01, 0.9).astype(np.float32),
-        gloss[kind],
-        np.full(shape, 0.3, dtype=np.float32),
+        height_um - np.float32(middle),
+        np.clip(albedo, 0.01, _BRIGHTEST - specular),
+        specular,
+        roughness,
+        diffuse_sigma_rad=_table([each.sigma_rad or 0.0 for each in materials])[material],
+        hapke=_table([float(each.sigma_rad is None) for each in materials])[material],
+        grain_index=heap.grain_index,
+        grains=tuple(_lowered(grain, middle) for grain in heap.grains),
     )
 
 
-def drop_grains(
-    generator: np.random.Generator, count: int, shape: tuple[int, int], pixel_um: float
-) -> tuple[FloatImage, NDArray[np.int64], FloatImage, list[Grain]]:
-    """Let ``count`` ellipsoids fall, large ones first on the whole.
+def _heap(
+    generator: np.random.Generator,
+    simulant: Simulant,
+    count: float,
+    shape: tuple[int, int],
+    pixel_um: float,
+) -> Heap:
+    """The grains that fall on a frame and on the rim around it, and the one on top where there is room."""
+    rim_um = 3 * max(kind.radii_um[1] for kind in simulant.kinds)
+    height_um, width_um = shape[0] * pixel_um, shape[1] * pixel_um
+    share = (height_um + rim_um) * (width_um + rim_um) / (height_um * width_um)
+    loose = simulant.draw(generator, max(1, round(count * share)))
+    if width_um >= _WIDE_ENOUGH_UM:
+        loose += simulant.draw_on_top(generator, (-0.22 * width_um, 0.0))
+    return pour(generator, loose, shape, pixel_um, rim_um)
 
-    Returns the surface (H, W) in um, the kind of material and the brightness of the grain on top of each
-    pixel, and the grains.
-    """
-    x_um, y_um = pixel_grid_um(shape, pixel_um)
-    surface: FloatImage = np.zeros(shape, dtype=np.float32)
-    kind = np.zeros(shape, dtype=np.int64)
-    shade: FloatImage = np.ones(shape, dtype=np.float32)
-    shares = np.array([share for share, _, _ in _MATERIALS])
-    low, high = np.log(_SEMI_AXES_UM)
-    sizes = np.exp(generator.uniform(low, high, count))
-    sizes = sizes[np.argsort(-sizes * np.exp(generator.normal(0.0, 0.5, count)))]
-    grains: list[Grain] = []
-    for size in sizes:
-        axes = size * np.array([1.0, generator.uniform(0.6, 1.0), generator.uniform(0.45, 0.9)])
-        rotation = _rotation(generator)
-        x0 = generator.uniform(x_um[0], x_um[-1])
-        y0 = generator.uniform(y_um[-1], y_um[0])
-        material = int(generator.choice(len(_MATERIALS), p=shares))
-        brightness = np.float32(np.exp(generator.normal(0.0, 0.2)))
-        columns = np.flatnonzero(np.abs(x_um - x0) <= size)
-        rows = np.flatnonzero(np.abs(y_um - y0) <= size)
-        if not (columns.size and rows.size):
+
+def _lowered(grain: Grain, by_um: float) -> Grain:
+    x, y, z = grain.centre_um
+    return Grain(grain.shape, grain.radius_um, (x, y, z - by_um), grain.rotation, grain.kind)
+
+
+def _table(values: list[float] | list[Colour]) -> FloatImage:
+    """One value or colour per material."""
+    return np.array(values, dtype=np.float32)
+
+
+def _albedo(
+    generator: np.random.Generator,
+    simulant: Simulant,
+    material: NDArray[np.intp],
+    heap: Heap,
+    pixel_um: float,
+) -> FloatImage:
+    """Diffuse reflectance (H, W, 3): that of the material, brighter or darker by grain and by spot."""
+    materials = (*(kind.material for kind in simulant.all_kinds), simulant.dust)
+    sizes = (1.2 / pixel_um, 3.0 / pixel_um, 9.0 / pixel_um)
+    spots = speckle(generator, material.shape, sizes, (0.8, 1.0, 0.6))
+    mottling = _table([each.mottling for each in materials])[material]
+    variety = [simulant.all_kinds[grain.kind].variety for grain in heap.grains]
+    # Dust, grain -1, is the same everywhere.
+    shade = np.array([*variety, 0.0], dtype=np.float32)
+    shade *= generator.standard_normal(len(shade), dtype=np.float32)
+    logarithm = shade[heap.grain_index] + mottling * _own_part(generator, spots, heap)
+    albedo: FloatImage = _table([each.albedo for each in materials])[material]
+    albedo *= np.exp(logarithm)[..., None]
+    return albedo
+
+
+def _gloss(
+    generator: np.random.Generator,
+    materials: tuple[Material, ...],
+    material: NDArray[np.intp],
+    heap: Heap,
+    pixel_um: float,
+) -> tuple[FloatImage, FloatImage]:
+    """Specular reflectance (H, W, 3) and its width (H, W), with glossy specks."""
+    specular: FloatImage = _table([each.gloss.f0 for each in materials])[material]
+    roughness: FloatImage = _table([each.gloss.alpha for each in materials])[material]
+    for number, each in enumerate(materials):
+        if each.specks is None:
             continue
-        window = (slice(rows[0], rows[-1] + 1), slice(columns[0], columns[-1] + 1))
-        top, bottom, inside = _caps(
-            axes, rotation, x_um[window[1]][None, :] - x0, y_um[window[0]][:, None] - y0
-        )
-        if not inside.any():
-            continue
-        below = surface[window]
-        rest = float((below - bottom)[inside].max())
-        lifted = top + rest
-        covers = inside & (lifted > below)
-        surface[window] = np.where(covers, lifted, below)
-        kind[window][covers] = material
-        shade[window][covers] = brightness
-        grains.append(
-            Grain((float(x0), float(y0), rest), (axes[0], axes[1], axes[2]), rotation, material)
-        )
-    return surface, kind, shade, grains
+        field = noise(generator, material.shape, each.specks.size_um / pixel_um)
+        field = _own_part(generator, field, heap)
+        spots = (material == number) & (field > np.quantile(field, 1 - each.specks.share))
+        specular[spots] = each.specks.gloss.f0
+        roughness[spots] = each.specks.gloss.alpha
+    return specular, roughness
 
 
-def _rotation(generator: np.random.Generator) -> NDArray[np.float64]:
-    """Uniformly random rotation (3, 3) from a random unit quaternion."""
-    w, x, y, z = _unit(generator.normal(size=4))
-    return np.array(
-        [
-            [1 - 2 * (y * y + z * z), 2 * (x * y - z * w), 2 * (x * z + y * w)],
-            [2 * (x * y + z * w), 1 - 2 * (x * x + z * z), 2 * (y * z - x * w)],
-            [2 * (x * z - y * w), 2 * (y * z + x * w), 1 - 2 * (x * x + y * y)],
-        ]
-    )
-
-
-def _unit(vector: NDArray[np.float64]) -> NDArray[np.float64]:
-    unit: NDArray[np.float64] = vector / np.linalg.norm(vector)
-    return unit
-
-
-def _caps(
-    axes: NDArray[np.float64],
-    rotation: NDArray[np.float64],
-    dx: NDArray[np.float64],
-    dy: NDArray[np.float64],
-) -> tuple[NDArray[np.float64], NDArray[np.float64], NDArray[np.bool_]]:
-    """Upper and lower surface of an ellipsoid about its centre, and where it is.
-
-    Points satisfy p^T A p = 1 with A = R diag(1/axes^2) R^T, a quadratic in z for given x and y.
-    """
-    A = rotation @ np.diag(1 / axes**2) @ rotation.T
-    half_b = A[0, 2] * dx + A[1, 2] * dy
-    c = A[0, 0] * dx**2 + 2 * A[0, 1] * dx * dy + A[1, 1] * dy**2 - 1
-    discriminant = half_b**2 - A[2, 2] * c
-    inside = discriminant > 0
-    root = np.sqrt(np.maximum(discriminant, 0.0))
-    return (-half_b + root) / A[2, 2], (-half_b - root) / A[2, 2], inside
+def _own_part(generator: np.random.Generator, field: FloatImage, heap: Heap) -> FloatImage:
+    """The field shifted by a random amount for every grain, so that patterns end where a grain does."""
+    rows, columns = field.shape
+    shifts = generator.integers(0, (rows, columns), (len(heap.grains) + 1, 2))[heap.grain_index]
+    own: FloatImage = field[
+        (np.arange(rows)[:, None] + shifts[..., 0]) % rows,
+        (np.arange(columns) + shifts[..., 1]) % columns,
+    ]
+    return own
