@@ -190,8 +190,12 @@ def test_geometry_follows_the_calibration_in_use(tmp_path: Path) -> None:
         [math.cos(math.radians(22.5)), 0, math.sin(math.radians(22.5))]
     )
     np.testing.assert_allclose(run.powers, 1)
-    better = run.calibration.model_copy(update={"pupil_scale": 1.125, "source": "measured"})
+    better = run.calibration.model_copy(
+        update={"pupil_scale": 1.125, "telecentricity_per_mm": 0.008, "source": "measured"}
+    )
     other = run.with_calibration(better)
+    assert run.telecentricity_per_um == 0.0
+    assert other.telecentricity_per_um == pytest.approx(8e-6)
     np.testing.assert_allclose(other.views, run.views / 1.125)
     assert run.spec.calibration is not None
     assert run.spec.calibration.pupil_scale == 1.0

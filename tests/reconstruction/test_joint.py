@@ -254,3 +254,29 @@ def test_bad_input_is_refused(change: dict[str, object], words: str) -> None:
     with pytest.raises(InvalidInputError, match=words) as caught:
         match_jointly(**(good | change))  # type: ignore[arg-type]
     assert caught.value.hint
+
+
+def test_telecentricity_is_taken_out_of_the_map() -> None:
+    kappa, pixel_um, height = 2e-3, 1.12, scenes.plane(0.0, 0.25, 4.0)
+    slopes = scenes.hexagon_slopes(12, 0.127)
+    rows, cols = np.mgrid[: SHAPE[0], : SHAPE[1]].astype(np.float64)
+    middle = (np.array(SHAPE) - 1) / 2
+    canvas = scenes.texture((SHAPE[0] + 48, SHAPE[1] + 48), 1)
+    views = []
+    for sx, sy in slopes:
+        r, c = rows.copy(), cols.copy()
+        for _ in range(60):  # what lies at (r, c) appears at (rows, cols)
+            z = height(r, c)
+            r = rows - z * (sy / pixel_um - kappa * (r - middle[0]))
+            c = cols + z * (sx / pixel_um + kappa * (c - middle[1]))
+        views.append(ndimage.map_coordinates(canvas, [r + 24, c + 24], order=3))
+    frames = np.asarray(views, dtype=np.float32)
+    told, untold = (
+        np.abs(
+            match_jointly(frames, slopes, (0.0, 60.0), pixel_um, telecentricity_per_um=k).height_um
+            - height(rows, cols)
+        )[INSIDE].mean()
+        for k in (kappa, 0.0)
+    )
+    assert told < 0.25
+    assert untold > 1.7 * told

@@ -126,3 +126,26 @@ def test_bad_input_is_refused() -> None:
         to_reference(
             frames, [[0.1, 0.0], [0.0, 0.1]], height, 1.0, visible=np.ones((1, 8, 9), bool)
         )
+
+
+def test_telecentricity_moves_points_by_their_place_in_the_field() -> None:
+    # kappa 0.0004 per um: 40 um above focus, 60 columns right of the middle, 0.96 columns to the left.
+    kappa, height = 4e-4, np.full((81, 161), 40.0, dtype=np.float32)
+    rows, cols = np.mgrid[:81, :161]
+    true = (20, 140)
+    seen = (true[0] - 40 * kappa * (true[0] - 40), true[1] - 40 * kappa * (true[1] - 80) - 4.0)
+    frame = np.exp(-((rows - seen[0]) ** 2 + (cols - seen[1]) ** 2) / 8).astype(np.float32)
+    registered = to_reference(frame[None], [[0.1, 0.0]], height, 1.0, telecentricity_per_um=kappa)
+    assert ndimage.center_of_mass(np.nan_to_num(registered[0])) == pytest.approx(true, abs=0.02)
+
+
+def test_telecentricity_turns_the_rays_that_are_hidden() -> None:
+    height = np.zeros((5, 201), dtype=np.float32)
+    height[:, 20:30] = height[:, 170:180] = 50.0
+    seen = visibility(height, [[0.0, 0.0]], 1.0, telecentricity_per_um=1e-3)[0, 2]
+    # rays lean outward by 0.001 per column: by 0.07 at the walls, which hide 3 columns on their inner side
+    assert not seen[[30, 31, 32]].any()
+    assert not seen[[169, 168, 167]].any()
+    assert seen[36:164].all()
+    assert seen[:30].all()
+    assert seen[170:].all()

@@ -31,7 +31,7 @@ from reliefscope.models.geometry import light_direction, light_power, slope_of_b
 from reliefscope.models.instrument import InstrumentProfile
 from reliefscope.models.light_field import LightField
 from reliefscope.models.plan import FrameKind, Plan
-from reliefscope.units import BoolImage, FloatImage, RawImage
+from reliefscope.units import UM_PER_MM, BoolImage, FloatImage, RawImage
 
 log = logging.getLogger(__name__)
 
@@ -148,6 +148,13 @@ class Run:
             return None if None in slopes else np.array(slopes, dtype=np.float64)
         plan, profile, calibration = self._instrument()
         return np.array([slope_of_bitmap(view.bitmap, profile, calibration) for view in plan.views])
+
+    @property
+    def telecentricity_per_um(self) -> float:
+        """Growth of the slopes with the position from the middle of the field; 0 for imported photographs."""
+        if self.spec.imported is not None:
+            return 0.0
+        return self._instrument()[2].telecentricity_per_mm / UM_PER_MM
 
     @property
     def lights(self) -> NDArray[np.float64] | None:

@@ -33,7 +33,13 @@ from reliefscope.reconstruction.matcher import LEAST_SHARE, Tile
 from reliefscope.reconstruction.matching_error import standard_error
 from reliefscope.reconstruction.mvs import MvsResult, check_baseline, check_views
 from reliefscope.reconstruction.ncc_kernels import pick_heights
-from reliefscope.reconstruction.shifts import TAPS, plan_shifts, valid_span
+from reliefscope.reconstruction.shifts import (
+    TAPS,
+    ShiftPlan,
+    plan_shifts,
+    telecentric_drift,
+    valid_span,
+)
 from reliefscope.units import FloatImage
 
 GROUPS = 4
@@ -62,6 +68,9 @@ LEAST_SIDE = 48
 TILE_ROWS = 48
 TILE_COLUMNS = 350
 BORDER_ROWS = 2
+LEAST_TILE = 16
+DRIFT_PX = 0.05
+"""Change within a tile of the shift by telecentricity, in binned pixels, that smaller tiles avoid."""
 JUMP_STEPS = 3.0
 """Difference between neighbours, in steps of height, over which no height is interpolated."""
 
@@ -107,6 +116,7 @@ def match_jointly(
     pixel_um: float,
     job: Job | None = None,
     *,
+    telecentricity_per_um: float = 0.0,
     binning: int = BINNING,
     small_window: int = SMALL_WINDOW,
     large_window: int | None = None,
@@ -125,6 +135,8 @@ def match_jointly(
         Sampling distance in the focal plane.
     job:
         Progress (stage ``match``, per tile) and cancellation.
+    telecentricity_per_um:
+        Growth of the slopes with the position from the middle of the field; constant within a tile.
     binning, small_window, large_window:
         See :data:`BINNING`, :data:`SMALL_WINDOW`, :data:`LARGE_WINDOW`; the windows are odd.  None:
         :data:`LARGE_WINDOW` of several channels, :data:`LARGE_WINDOW_ALONE` of one.
@@ -160,7 +172,10 @@ def match_jointly(
     coarse = (shape[0] // binning, shape[1] // binning)
     plan = plan_shifts(s, heights, pixel_um * binning)
     reach = small_window // 2 + large_window // 2
+    drift = telecentric_drift(0.0, 0.0, coarse, telecentricity_per_um)
     travel = int(max(np.abs(plan.row_whole).max(), np.abs(plan.col_whole).max()))
+    farthest = float(np.abs(heights).max())
+    travel += math.ceil(max(map(abs, drift)) * farthest)
     if travel + reach >= min(coarse) // 2:
         raise InvalidInputError(
             f"The range of heights moves a view by {travel * binning} pixels, too far for an image of "
@@ -172,28 +187,28 @@ def match_jointly(
     quality = np.empty(coarse, dtype=np.float32)
     peak = np.empty(coarse, dtype=np.float32)
     curvature = np.empty(coarse, dtype=np.float32)
-    rows = valid_span(plan.row_px, coarse[0], reach)
-    cols = valid_span(plan.col_px, coarse[1], reach)
     least_scores = math.ceil(LEAST_SHARE * heights.size)
 
+    def plan_at(tile: Tile) -> ShiftPlan:
+        if telecentricity_per_um == 0.0:
+            return plan
+        place = (0.5 * float(tile[0] + tile[1] - 1), 0.5 * float(tile[2] + tile[3] - 1))
+        drift = telecentric_drift(*place, coarse, telecentricity_per_um)
+        return plan_shifts(s, heights, pixel_um * binning, drift)
+
     def work(tile: Tile) -> None:
+        here = plan_at(tile)
         curves = np.empty(
             (heights.size, int(tile[1] - tile[0]), int(tile[3] - tile[2])), dtype=np.float32
-        )
-        used = (
-            (rows[0] <= tile[0])
-            & (tile[1] <= rows[1])
-            & (cols[0] <= tile[2])
-            & (tile[3] <= cols[1])
         )
         score_tile_jointly(
             prepared.images,
             prepared.margin,
-            plan.row_whole,
-            plan.col_whole,
-            plan.row_weights,
-            plan.col_weights,
-            used,
+            here.row_whole,
+            here.col_whole,
+            here.row_weights,
+            here.col_weights,
+            _views_inside(here, tile, coarse, reach),
             tile,
             small_window,
             large_window,
@@ -213,8 +228,13 @@ def match_jointly(
             curvature[part],
         )
 
+    rows = valid_span(plan.row_px, coarse[0], reach)
+    cols = valid_span(plan.col_px, coarse[1], reach)
     places = _tiles(
-        coarse, (int(rows[0].max()), int(rows[1].min())), (int(cols[0].max()), int(cols[1].min()))
+        coarse,
+        (int(rows[0].max()), int(rows[1].min())),
+        (int(cols[0].max()), int(cols[1].min())),
+        abs(telecentricity_per_um) * farthest,
     )
     with ensure_job(job).stage("match", len(places)) as stage:
         tiles.run_each(work, places, stage)
@@ -261,12 +281,31 @@ def _prepared(
     return _Channels(images, margin, NOISE_SHARE * float(np.median(medians)) + 1e-12)
 
 
+def _views_inside(
+    plan: ShiftPlan, tile: Tile, shape: tuple[int, int], reach: int
+) -> NDArray[np.bool_]:
+    """Views (N, K) all of whose windows in the tile lie inside the frame."""
+    row_first, row_stop = valid_span(plan.row_px, shape[0], reach)
+    col_first, col_stop = valid_span(plan.col_px, shape[1], reach)
+    inside: NDArray[np.bool_] = (row_first <= tile[0]) & (tile[1] <= row_stop)
+    inside &= (col_first <= tile[2]) & (tile[3] <= col_stop)
+    return inside
+
+
 def _tiles(
-    shape: tuple[int, int], inner_rows: tuple[int, int], inner_cols: tuple[int, int]
+    shape: tuple[int, int],
+    inner_rows: tuple[int, int],
+    inner_cols: tuple[int, int],
+    drift: float,
 ) -> list[Tile]:
-    """Tiles of the area that all views see, then small ones in the frame around it."""
+    """Tiles of the area that all views see, then small ones in the frame around it.
+
+    ``drift`` is the change of shift from one pixel to the next by telecentricity.
+    """
     top, bottom = inner_rows
     left, right = inner_cols
+    widest = max(LEAST_TILE, int(2 * DRIFT_PX / drift)) if drift > 0.0 else max(shape)
+    rows, columns = min(TILE_ROWS, widest), min(TILE_COLUMNS, widest)
 
     def cut(r0: int, r1: int, c0: int, c1: int, tall: int, wide: int) -> list[Tile]:
         if r1 <= r0 or c1 <= c0:
@@ -278,11 +317,11 @@ def _tiles(
         ]
 
     return [
-        *cut(top, bottom, left, right, TILE_ROWS, TILE_COLUMNS),
-        *cut(0, top, left, right, BORDER_ROWS, TILE_COLUMNS),
-        *cut(bottom, shape[0], left, right, BORDER_ROWS, TILE_COLUMNS),
-        *cut(0, shape[0], 0, left, TILE_ROWS, BORDER_ROWS),
-        *cut(0, shape[0], right, shape[1], TILE_ROWS, BORDER_ROWS),
+        *cut(top, bottom, left, right, rows, columns),
+        *cut(0, top, left, right, BORDER_ROWS, columns),
+        *cut(bottom, shape[0], left, right, BORDER_ROWS, columns),
+        *cut(0, shape[0], 0, left, rows, BORDER_ROWS),
+        *cut(0, shape[0], right, shape[1], rows, BORDER_ROWS),
     ]
 
 

@@ -1,8 +1,9 @@
 """Bringing frames to the virtual view s = 0 by the height of the surface.
 
 A surface point at ``(x, y)`` with height z appears in the view ``s`` at ``(x - z sx, y - z sy)``
-(:mod:`reliefscope.axes`), so the frame is sampled there.  A point is hidden in that view where a higher
-part of the surface lies on its ray ``(x + t sx, y + t sy, z + t)``.
+(:mod:`reliefscope.axes`), so the frame is sampled there.  Where the optics are not quite telecentric the slope
+grows by ``telecentricity_per_um`` times the position from the middle of the field.  A point is hidden in that
+view where a higher part of the surface lies on its ray ``(x + t sx, y + t sy, z + t)``.
 """
 
 from __future__ import annotations
@@ -33,6 +34,7 @@ def to_reference(
     height_um: FloatImage,
     pixel_um: float,
     *,
+    telecentricity_per_um: float = 0.0,
     interpolation: Interpolation = "cubic",
     visible: BoolImage | None = None,
     job: Job | None = None,
@@ -49,6 +51,8 @@ def to_reference(
         (H, W) height in the view s = 0; NaN is missing.
     pixel_um:
         Sampling distance in the focal plane.
+    telecentricity_per_um:
+        Growth of the slopes with the position from the middle of the field.
     interpolation:
         ``cubic`` convolution (Keys, a = -1/2; at the border the outer taps repeat it) or ``linear``.
     visible:
@@ -71,7 +75,16 @@ def to_reference(
 
     def work(item: tuple[int, tuple[int, int]]) -> None:
         k, (first, stop) = item
-        resample(frames[k], height, *moves[k], interpolation == "cubic", first, stop, out[k])
+        resample(
+            frames[k],
+            height,
+            *moves[k],
+            telecentricity_per_um,
+            interpolation == "cubic",
+            first,
+            stop,
+            out[k],
+        )
         if visible is not None:
             out[k, first:stop][~visible[k, first:stop]] = np.nan
 
@@ -86,6 +99,7 @@ def visibility(
     slopes: ArrayLike,
     pixel_um: float,
     *,
+    telecentricity_per_um: float = 0.0,
     tolerance_um: float = VISIBILITY_TOLERANCE_UM,
     job: Job | None = None,
 ) -> BoolImage:
@@ -103,7 +117,9 @@ def visibility(
 
     def work(item: tuple[int, tuple[int, int]]) -> None:
         k, (first, stop) = item
-        trace_visibility(height, *moves[k], top_um, tolerance_um, first, stop, mask[k])
+        trace_visibility(
+            height, *moves[k], telecentricity_per_um, top_um, tolerance_um, first, stop, mask[k]
+        )
 
     items = [(k, rows) for k in range(len(s)) for rows in _strips(height)]
     with ensure_job(job).stage("visibility", len(items)) as stage:
@@ -117,21 +133,26 @@ def resample(
     height: FloatImage,
     cols_per_um: float,
     rows_per_um: float,
+    telecentricity_per_um: float,
     cubic: bool,
     first: int,
     stop: int,
     out: FloatImage,
 ) -> None:
-    """Rows ``first`` to ``stop`` of ``out``: ``frame`` at ``(row + z rows_per_um, col + z cols_per_um)``."""
+    """Rows ``first`` to ``stop`` of ``out``: ``frame`` at ``(row + z rows_per_um, col + z cols_per_um)``.
+
+    The shifts per um are those in the middle of the field.
+    """
     rows, cols = frame.shape
+    middle_row, middle_col = 0.5 * (rows - 1), 0.5 * (cols - 1)
     low, right = rows - 1 + SNAP_PX, cols - 1 + SNAP_PX
     one, half = np.float32(1.0), np.float32(0.5)
     two, three, five = np.float32(2.0), np.float32(1.5), np.float32(2.5)
     for r in range(first, stop):
         for c in range(cols):
             z = height[r, c]
-            y = r + z * rows_per_um
-            x = c + z * cols_per_um
+            y = r + z * (rows_per_um - telecentricity_per_um * (r - middle_row))
+            x = c + z * (cols_per_um - telecentricity_per_um * (c - middle_col))
             if not (y >= -SNAP_PX and y <= low and x >= -SNAP_PX and x <= right):
                 out[r, c] = np.nan
                 continue
@@ -171,6 +192,7 @@ def trace_visibility(
     height: FloatImage,
     cols_per_um: float,
     rows_per_um: float,
+    telecentricity_per_um: float,
     top_um: float,
     tolerance_um: float,
     first: int,
@@ -182,17 +204,20 @@ def trace_visibility(
     The ray moves against the parallax: by ``-cols_per_um, -rows_per_um`` pixels per um of rise.
     """
     rows, cols = height.shape
-    travel = max(abs(cols_per_um), abs(rows_per_um))
+    middle_row, middle_col = 0.5 * (rows - 1), 0.5 * (cols - 1)
     for r in range(first, stop):
+        down_um = rows_per_um - telecentricity_per_um * (r - middle_row)
         for c in range(cols):
+            along_um = cols_per_um - telecentricity_per_um * (c - middle_col)
+            travel = max(abs(along_um), abs(down_um))
             z = height[r, c]
             seen = not np.isnan(z)
             if seen and travel > 0.0:
                 step_um = 1.0 / travel
                 rise = step_um
                 while z + rise + tolerance_um < top_um:
-                    y = r - rise * rows_per_um
-                    x = c - rise * cols_per_um
+                    y = r - rise * down_um
+                    x = c - rise * along_um
                     if not (y >= 0.0 and y <= rows - 1 and x >= 0.0 and x <= cols - 1):
                         break
                     above = min(int(y), max(rows - 2, 0))
