@@ -12,6 +12,7 @@ import math
 from dataclasses import dataclass
 from typing import Any
 
+import cv2
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
@@ -48,6 +49,15 @@ DROPPED_DARK_SHARE = 0.2
 KEPT_AT_LEAST = 6
 """Lights that are never set aside: twice the number of unknowns."""
 REWEIGHTINGS = 3
+SIGMA_PER_MISFIT = 0.6
+"""Expected error of a normal, in rad, over the relative deviation of its intensities from Lambert's law."""
+SIGMA_PER_CHANGE = 3.95
+"""Expected error over the change of the normal per pixel around it: apertures blur, heights that registered the
+frames are a little off, and across an edge normals mix."""
+SIGMA_PER_SLANT = 0.022
+"""Expected error over the sine of twice the slant: light from neighbouring surfaces flattens, gloss steepens."""
+SIGMA_LEAST_RAD = 0.005
+_CHANGE_BLUR_PX = 2.0
 TOLERATED_RESIDUAL = 0.01
 """Residual, as a fraction of the albedo, that is never held against a light."""
 
@@ -72,7 +82,7 @@ class PsResult:
     slant_rad:
         Angle between the normal and the optical axis.
     sigma_rad:
-        Error of the normal that residuals of this size cause; of the robust form only.
+        Angle within which about 68 % of the normals lie from the true ones; of the robust form only.
     lights_used:
         Sum of the weights of the lights; of the robust form only.
     """
@@ -165,7 +175,7 @@ def solve(
         Size of a pixel on the sample; the focal point lies in the middle of the image.
     usable:
         (L, H, W) mask: no cast shadow (:func:`reliefscope.reconstruction.shadows.lit`), not saturated.  Where fewer
-        than four lights are usable, all are used, and ``sigma_rad`` tells.
+        than four lights are usable, all are used.
     plane_um:
         Height at which the lights' field is taken.
     full_scale:
@@ -212,6 +222,16 @@ def solve(
         result.lights_used,
     )
     _score(result, full_scale)
+    change = np.nan_to_num(result.change, nan=CHANGE_SCALE)
+    ps_robust_kernels.expected_error(
+        np.asarray(cv2.GaussianBlur(change, (0, 0), _CHANGE_BLUR_PX), dtype=np.float32),
+        result.slant_rad,
+        SIGMA_PER_MISFIT,
+        SIGMA_PER_CHANGE,
+        SIGMA_PER_SLANT,
+        SIGMA_LEAST_RAD,
+        result.sigma_rad,
+    )
     return result
 
 

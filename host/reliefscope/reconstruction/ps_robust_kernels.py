@@ -161,9 +161,9 @@ def _mean_absolute(
 
 @njit(cache=True, error_model="numpy", fastmath=FLAGS)
 def _spread(sums: FloatImage, g: FloatImage, count: int, out: FloatImage) -> None:
-    """Error (B,) of the normal in radians that an error of 1 in every intensity causes.
+    """Error (B,) across ``g`` that an error of 1 in every intensity causes.
 
-    Root of the trace of the inverse normal matrix across the direction of ``g``, over the length of ``g``.
+    Root of the trace of the inverse normal matrix across the direction of ``g``.
     """
     for i in range(count):
         ridge = _RIDGE * sums[9, i]
@@ -185,7 +185,7 @@ def _spread(sums: FloatImage, g: FloatImage, count: int, out: FloatImage) -> Non
         mixed += (xy * xz - xx * yz) * y * z
         along += np.float32(2.0) * mixed
         across = (cxx + cyy + czz) - along / squared
-        out[i] = np.sqrt(max(across * sums[10, i], np.float32(0.0)) / squared)
+        out[i] = np.sqrt(max(across * sums[10, i], np.float32(0.0)))
 
 
 @njit(cache=True, parallel=True, error_model="numpy", fastmath=FLAGS)
@@ -202,18 +202,19 @@ def solve_robust(
     normals: FloatImage,
     albedo: FloatImage,
     residuals: FloatImage,
-    sigma: FloatImage,
+    misfit: FloatImage,
     used: FloatImage,
 ) -> None:
     """Normal, albedo and what they rest on, for every pixel.
 
     ``images`` (L, H, W) times ``gains`` (L,) are the intensities, NaN is missing; ``fields`` (L, KR, KC, 3) the
     irradiance vectors at the knots; ``lit`` (L, H, W) the mask.  ``bright``, ``dim`` and ``at_least``: the shares of
-    the brightest and darkest that are set aside, and how many are kept at least; ``rounds`` of reweighting; ``floor``: residual,
-    as a fraction of the albedo, that is always tolerated.
+    the brightest and darkest that are set aside, and how many are kept at least; ``rounds`` of reweighting;
+    ``floor``: residual, as a fraction of the albedo, that is always tolerated.
 
-    Outputs ``normals`` (H, W, 3), the rest (H, W): ``residuals`` root mean square over the weights, ``sigma``
-    the error in radians of the normal that residuals of this size cause, ``used`` sum of the weights.
+    Outputs ``normals`` (H, W, 3), the rest (H, W): ``residuals`` root mean square over the weights, ``misfit``
+    standard deviation of the residuals over the albedo, more where the lights that count are badly spread,
+    ``used`` sum of the weights.
     """
     lights, height, width = images.shape
     one = np.float32(1.0)
@@ -292,9 +293,44 @@ def solve_robust(
                     # three of the lights are spent on the solution, and three alone have no residual
                     free = max(counts[i] - np.float32(3.0), np.float32(0.5))
                     least = np.float32(floor * floor) * squared
-                    sigma[row, first + i] = scale[i] * np.sqrt((total[i] + least) / free)
+                    ratio = np.sqrt((total[i] + least) / (free * squared))
+                    misfit[row, first + i] = ratio * max(scale[i], one)
                     used[row, first + i] = counts[i]
                     solved = counts[i] > np.float32(2.5)
                     g[2, i] = g[2, i] if solved else np.float32(np.nan)
                     total[i] = np.sqrt(total[i] / counts[i])
                 store(g, total, row, first, count, normals, albedo, residuals)
+
+
+@njit(cache=True, parallel=True, error_model="numpy", fastmath=FLAGS)
+def expected_error(
+    change: FloatImage,
+    slant: FloatImage,
+    per_misfit: float,
+    per_change: float,
+    per_slant: float,
+    least: float,
+    sigma: FloatImage,
+) -> None:
+    """Replace the misfit in ``sigma`` by the angle (H, W) in radians by which normals may be wrong.
+
+    The root of the sum of squares of what misfit, ``change`` per pixel and sine of twice the slant contribute,
+    the latter at most that of 45 degrees, and of ``least``.
+    """
+    height, width = sigma.shape
+    by_misfit = np.float32(per_misfit * per_misfit)
+    by_change = np.float32(per_change * per_change)
+    by_slant = np.float32(per_slant * per_slant)
+    constant = np.float32(least * least)
+    for row in prange(height):
+        for column in range(width):
+            misfit = sigma[row, column]
+            # sin(2 x) by its series: below 1e-3 off up to 45 degrees
+            x = min(np.float32(2.0) * slant[row, column], np.float32(1.5707964))
+            square = x * x
+            sine = x * (np.float32(1.0) - square / np.float32(6.0))
+            sine += x * square * square * (np.float32(1.0 / 120.0) - square / np.float32(5040.0))
+            variance = by_misfit * misfit * misfit
+            variance += by_change * change[row, column] * change[row, column]
+            variance += by_slant * sine * sine
+            sigma[row, column] = np.sqrt(variance + constant)
