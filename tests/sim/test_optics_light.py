@@ -200,7 +200,24 @@ def test_light_within_a_spherical_cavity_is_even_and_has_its_closed_form():
     assert direct[48, 64] == pytest.approx(1.0, rel=0.01)
     assert between[inside].mean() == pytest.approx(expected, rel=0.08)
     assert between[inside].std() < 0.12 * expected
-    assert between[distance > 56].max() < 0.1 * expected
+    assert between[distance > 57].max() < 0.1 * expected
+
+
+def test_a_wall_lights_the_floor_beside_it_as_brightly_as_the_light_falls_on_it():
+    # A wall of height h beside the left half of a floor, under light of 60 degrees from either side.  An endless
+    # wall of height h fills (1 - cos(atan(h / d))) / 2 of what a floor at distance d receives.
+    x_um, y_um = ob.coordinates(INSTRUMENT)
+    edge, wall, albedo = -20.0, 30.0, 0.3
+    scene = glossy(np.where(x_um + 0 * y_um < edge, wall, 0.0), albedo=albedo)
+    place = np.tile([1500.0, 0.0, 1500.0 * math.sqrt(3)], (INSTRUMENT.dome.count, 1))
+    even = np.full(INSTRUMENT.dome.count, (3000.0 / INSTRUMENT.dome.radius_mm) ** 2)
+    built = ob.as_built(INSTRUMENT, led_positions_mm=place, led_intensities=even)
+    turned = ob.as_built(INSTRUMENT, led_positions_mm=place * [-1, 1, 1], led_intensities=even)
+    floor = np.s_[30:66, 52:72]
+    toward, away = (lit(scene, either)[1][floor].mean(axis=0) for either in (built, turned))
+    once = albedo * 0.5 * (1 - np.cos(np.arctan2(wall, x_um[0, 52:72] - edge))) / 2
+    assert (toward / once).mean() == pytest.approx(1.25, abs=0.25)  # and a little the second time
+    assert away.mean() < 0.1 * toward.mean()
 
 
 def test_light_between_surfaces_cannot_exceed_what_arrives():

@@ -144,67 +144,133 @@ def irradiance(
                 unshaded[column] *= max(np.float32(0.0), (upper - horizon) / (upper - lower))
 
 
+@njit(cache=True, inline="always", fastmath=True)
+def _first_met(
+    flat: FloatImage,
+    ceilings: FloatImage,
+    x0: np.float32,
+    y0: np.float32,
+    z0: np.float32,
+    ux: np.float32,
+    uy: np.float32,
+    rise: np.float32,
+    top: np.float32,
+) -> int:
+    """Flat index of the pixel in which a ray from (x0, y0, z0) meets the surface, -1 for the open sky."""
+    rows, columns = ceilings.shape[1], ceilings.shape[2]
+    last_x = np.float32(columns - 1)
+    last_y = np.float32(rows - 1)
+    one = np.float32(1.0)
+    clear = np.float32(0.0)
+    away = one
+    while True:
+        x = x0 + away * ux
+        y = y0 + away * uy
+        z = z0 + away * rise
+        if z > top or x < np.float32(0.0) or y < np.float32(0.0) or x >= last_x or y >= last_y:
+            return -1
+        step = np.float32(0.0)
+        if rise > np.float32(0.0):
+            column = np.uint32(np.int32(x))
+            row = np.uint32(np.int32(y))
+            if z >= ceilings[0, row, column]:
+                step = np.float32(STRIDES_PX[0])
+            elif z >= ceilings[1, row, column]:
+                step = np.float32(STRIDES_PX[1])
+            elif z >= ceilings[2, row, column]:
+                step = np.float32(STRIDES_PX[2])
+        if step > np.float32(0.0):
+            clear = np.float32(0.0)
+            away += step
+            continue
+        depth = bilinear(flat, columns, x, y) - z
+        if depth > np.float32(0.0):
+            back = depth / (depth + clear) if clear > np.float32(0.0) else np.float32(0.0)
+            half = np.float32(0.5)
+            met: int = int(y - back * uy + half) * columns + int(x - back * ux + half)
+            return met
+        clear = -depth
+        away += one
+
+
 @njit(cache=True, parallel=True, fastmath=True)
 def find_neighbours(
     height: FloatImage,
+    ceilings: FloatImage,
     rise_x: FloatImage,
     rise_y: FloatImage,
     directions: FloatImage,
     highest: float,
     hits: HitStack,
 ) -> None:
-    """Flat index of the surface point that each direction of each pixel meets, -1 for the open sky.
+    """Flat index of the pixel (H', W') that each direction of each cell meets, -1 for the open sky.
 
-    ``directions`` (K, 3) are spread as the cosine about (0, 0, 1); each pixel turns them about its normal by
-    an angle of its own.  ``hits`` is (H', W', K).
+    A cell of r x r pixels looks around from the pixel in its middle.  ``directions`` (K, 3) are spread as the
+    cosine about (0, 0, 1); each cell turns them about its normal by an angle of its own.  ``hits`` is
+    (H'/r, W'/r, K).  A wall is met in its own pixels, which are lit as steep as they stand; on a coarser grid
+    it would shine like the level ground at its top.
     """
     rows, columns, count = hits.shape
+    cell = height.shape[1] // columns
     flat = height.reshape(-1)
-    for row in prange(rows):
-        for column in range(columns):
-            z0 = height[row, column]
+    top = np.float32(highest)
+    one = np.float32(1.0)
+    for cell_row in prange(rows):
+        row = cell_row * cell + cell // 2
+        for cell_column in range(columns):
+            column = cell_column * cell + cell // 2
             p = rise_x[row, column]
             q = rise_y[row, column]
-            nz = np.float32(1.0) / math.sqrt(np.float32(1.0) + p * p + q * q)
+            nz = one / math.sqrt(one + p * p + q * q)
             nx, ny = -p * nz, -q * nz
-            mixed = (np.uint32(row * columns + column) * np.uint32(2654435761)) >> np.uint32(8)
+            place = np.uint32(cell_row * columns + cell_column)
+            mixed = (place * np.uint32(2654435761)) >> np.uint32(8)
             turn = np.float32(mixed & np.uint32(0xFFFF)) * np.float32(2 * math.pi / 65536)
             cos, sin = math.cos(turn), math.sin(turn)
             # Orthonormal frame about the normal (nz > 0 always).
-            a = np.float32(1.0) / (np.float32(1.0) + nz)
+            a = one / (one + nz)
             b = -nx * ny * a
             for k in range(count):
                 u = cos * directions[k, 0] - sin * directions[k, 1]
                 v = sin * directions[k, 0] + cos * directions[k, 1]
                 w = directions[k, 2]
-                gx = u * (np.float32(1.0) - nx * nx * a) + v * b + w * nx
-                gy = u * b + v * (np.float32(1.0) - ny * ny * a) + w * ny
+                gx = u * (one - nx * nx * a) + v * b + w * nx
+                gy = u * b + v * (one - ny * ny * a) + w * ny
                 gz = -u * nx - v * ny + w * nz
-                found = -1
                 level = math.sqrt(gx * gx + gy * gy)
+                hits[cell_row, cell_column, k] = -1
                 if level > np.float32(1e-3):
-                    sx, sy, sz = gx / level, -gy / level, gz / level
-                    x = np.float32(column)
-                    y = np.float32(row)
-                    z = z0
-                    while True:
-                        x += sx
-                        y += sy
-                        z += sz
-                        if z > highest or x < 0.0 or y < 0.0 or x >= columns - 1 or y >= rows - 1:
-                            break
-                        if bilinear(flat, columns, x, y) > z:
-                            found = int(y + np.float32(0.5)) * columns + int(x + np.float32(0.5))
-                            break
-                hits[row, column, k] = found
+                    hits[cell_row, cell_column, k] = _first_met(
+                        flat,
+                        ceilings,
+                        np.float32(column),
+                        np.float32(row),
+                        height[row, column],
+                        gx / level,
+                        -gy / level,
+                        gz / level,
+                        top,
+                    )
 
 
 @njit(cache=True, parallel=True, fastmath=True)
-def collect(radiosity: FloatImage, hits: HitStack, out: FloatImage) -> None:
-    """Irradiance (H', W', C) that each pixel receives from the points it sees, which send ``radiosity``."""
+def collect(
+    direct: FloatImage,
+    between: FloatImage,
+    reflectance: FloatImage,
+    hits: HitStack,
+    out: FloatImage,
+) -> None:
+    """Irradiance ``out`` (H'/r, W'/r, C) that each cell receives from the pixels that it sees.
+
+    These reflect, by ``reflectance`` (H', W', C), ``direct`` (H', W'), the light of the LED, and ``between``
+    (H'/r, W'/r, C), what their own cell received before.
+    """
     rows, columns, count = hits.shape
-    channels = radiosity.shape[2]
-    flat = radiosity.reshape(-1)
+    width, channels = reflectance.shape[1], reflectance.shape[2]
+    cell = width // columns
+    light = direct.reshape(-1)
+    flat = reflectance.reshape(-1)
     part = np.float32(1.0 / count)
     for row in prange(rows):
         total = np.empty(channels, np.float32)
@@ -213,7 +279,9 @@ def collect(radiosity: FloatImage, hits: HitStack, out: FloatImage) -> None:
             for k in range(count):
                 at = hits[row, column, k]
                 if at >= 0:
+                    before = between[at // width // cell, at % width // cell]
                     for channel in range(channels):
-                        total[channel] += flat[at * channels + channel]
+                        arriving = light[at] + before[channel]
+                        total[channel] += flat[at * channels + channel] * arriving
             for channel in range(channels):
                 out[row, column, channel] = part * total[channel]

@@ -57,15 +57,12 @@ class Lighting:
         self._reference_px = dome.radius_mm * UM_PER_MM / surface.pixel_um
         self._beam_exponent = math.log(0.5) / math.log(math.cos(math.radians(dome.half_angle_deg)))
         self._source_radius = LED_DIAMETER_MM / 2 / dome.radius_mm
-        self._coarse = surface.coarser(ALIGNMENT)
-        self._hits = _neighbours(self._coarse)
-        self._reflectance: FloatImage = np.ascontiguousarray(
-            np.moveaxis(self._coarse.reflectance, 0, 2)
-        )
+        self._reflectance: FloatImage = np.ascontiguousarray(np.moveaxis(surface.reflectance, 0, 2))
         boxes = (np.ones((2 * stride + 3,) * 2, dtype=np.uint8) for stride in STRIDES_PX)
         self._ceilings = np.stack(
             [as_float_image(cv2.dilate(surface.height_px, box)) for box in boxes]
         )
+        self._hits = _neighbours(surface, self._ceilings)
 
     def led_px(self, led: int, pixel_um: float) -> FloatImage:
         """Position (3,) of an LED in pixels from the focal point."""
@@ -94,10 +91,13 @@ class Lighting:
 
     def _from_other_surfaces(self, direct: FloatImage) -> FloatImage:
         """Light (C, H'/4, W'/4) that surfaces give each other, each reflecting evenly to all sides."""
-        arriving = block_mean(direct, ALIGNMENT)[..., None]
-        between: FloatImage = np.zeros_like(self._reflectance)
+        rows, columns, _ = self._hits.shape
+        shape = (rows, columns, self._reflectance.shape[2])
+        between: FloatImage = np.zeros(shape, dtype=np.float32)
         for _ in range(_BOUNCES):
-            collect(self._reflectance * (arriving + between), self._hits, between)
+            received: FloatImage = np.empty(shape, dtype=np.float32)
+            collect(direct, between, self._reflectance, self._hits, received)
+            between = received
         return np.stack(
             [cv2.GaussianBlur(plane, (0, 0), 0.8) for plane in np.moveaxis(between, 2, 0)]
         )
@@ -148,17 +148,19 @@ def optical_axis(surface: Surface) -> FloatImage:
     )
 
 
-def _neighbours(surface: Surface) -> NDArray[np.int32]:
-    """For each pixel, what it sees in directions that are spread as the cosine about its normal."""
+def _neighbours(surface: Surface, ceilings: FloatImage) -> NDArray[np.int32]:
+    """For each cell, the pixels that it sees in directions that are spread as the cosine about its normal."""
     index = np.arange(_DIRECTIONS)
     radius = np.sqrt((index + 0.5) / _DIRECTIONS)
     azimuth = index * math.pi * (3 - math.sqrt(5))
     directions = np.stack(
         [radius * np.cos(azimuth), radius * np.sin(azimuth), np.sqrt(1 - radius**2)], axis=-1
     ).astype(np.float32)
-    hits = np.empty((*surface.height_px.shape, _DIRECTIONS), dtype=np.int32)
+    rows, columns = surface.height_px.shape
+    hits = np.empty((rows // ALIGNMENT, columns // ALIGNMENT, _DIRECTIONS), dtype=np.int32)
     find_neighbours(
         surface.height_px,
+        ceilings,
         surface.rise_x,
         surface.rise_y,
         directions,
