@@ -5,7 +5,13 @@ import numpy as np
 import pytest
 from scipy.ndimage import gaussian_filter1d, map_coordinates
 
-from reliefscope_sim.optics.ray_kernels import blur, gather, gaussian_taps, intersect
+from reliefscope_sim.optics.ray_kernels import (
+    blur,
+    blur_to_mosaic,
+    gather,
+    gaussian_taps,
+    intersect,
+)
 
 MARGIN = 24
 SHAPE = (30, 40)
@@ -87,34 +93,37 @@ def test_a_wall_hides_what_lies_behind_it():
 
 def test_gathering_shifts_by_height_times_slope():
     generator = np.random.default_rng(2)
-    radiance = generator.random((SHAPE[0] + 2 * MARGIN, SHAPE[1] + 2 * MARGIN), dtype=np.float32)
+    grid = (3, SHAPE[0] + 2 * MARGIN, SHAPE[1] + 2 * MARGIN)
+    radiance = generator.random(grid, dtype=np.float32)
     depth = np.full((2, *SHAPE), 9000, dtype=np.uint16)  # z = 9 at lowest 0
     slopes = np.array([[0.15, -0.3], [-0.4, 0.05]], dtype=np.float32)
     weights = np.array([2.0, 0.5], dtype=np.float32)
-    image = np.zeros(SHAPE, dtype=np.float32)
-    gather(radiance, depth, slopes, weights, 0.0, CENTRE, MARGIN, 0.0, STEP, (0, 0, 1), image)
+    image = np.zeros((3, *SHAPE), dtype=np.float32)
+    gather(radiance, depth, slopes, weights, 0.0, CENTRE, MARGIN, 0.0, STEP, image)
     row, column = np.mgrid[: SHAPE[0], : SHAPE[1]].astype(float) + MARGIN
-    expected = sum(
-        weight * map_coordinates(radiance.astype(float), [row - 9 * sy, column + 9 * sx], order=1)
-        for (sx, sy), weight in zip(slopes.astype(float), weights, strict=True)
-    )
-    assert np.abs(image - expected).max() < 1e-4
-    # And the same values where only some pixels are wanted.
-    some = np.zeros((15, 19), dtype=np.float32)
-    gather(radiance, depth, slopes, weights, 0.0, CENTRE, MARGIN, 0.0, STEP, (1, 2, 2), some)
-    assert np.array_equal(some, image[1::2, 2::2])
+    for channel, seen in zip(radiance.astype(float), image, strict=True):
+        expected = sum(
+            weight * map_coordinates(channel, [row - 9 * sy, column + 9 * sx], order=1)
+            for (sx, sy), weight in zip(slopes.astype(float), weights, strict=True)
+        )
+        assert np.abs(seen - expected).max() < 1e-4
 
 
 @pytest.mark.parametrize(("sigma_x", "sigma_y"), [(2.25, 2.25), (0.8, 3.1), (0.0, 1.0)])
 def test_blur_is_a_gaussian_in_each_direction(sigma_x, sigma_y):
     generator = np.random.default_rng(4)
-    image = generator.random((50, 61), dtype=np.float32)
+    image = generator.random((3, 50, 61), dtype=np.float32)
     out = np.empty_like(image)
     blur(image, gaussian_taps(sigma_x), gaussian_taps(sigma_y), out)
     expected = image.astype(float)
-    for axis, sigma in ((0, sigma_y), (1, sigma_x)):
+    for axis, sigma in ((1, sigma_y), (2, sigma_x)):
         if sigma > 0:
             reach = len(gaussian_taps(sigma)) - 1
             expected = gaussian_filter1d(expected, sigma, axis, mode="nearest", radius=reach)
     assert np.abs(out - expected).max() < 1e-5
     assert len(gaussian_taps(0.1)) == 1
+    mosaic = np.empty((50, 61), dtype=np.float32)
+    blur_to_mosaic(image, gaussian_taps(sigma_x), gaussian_taps(sigma_y), mosaic)
+    filters = np.ones((50, 61), dtype=int)
+    filters[0::2, 0::2], filters[1::2, 1::2] = 0, 2
+    assert np.array_equal(mosaic, np.take_along_axis(out, filters[None], 0)[0])

@@ -163,70 +163,105 @@ def gather(
     margin: int,
     lowest: float,
     step: float,
-    sites: tuple[int, int, int],
     image: FloatImage,
 ) -> None:
-    """Add to ``image`` the weighted radiance (H', W') that each pupil point sees at its depth.
-
-    ``sites`` (first row, first column, pitch) are the pixels of the frame for which that is done, (0, 0, 1) for
-    all of them.
-    """
-    first_row, first_column, pitch = sites
-    rows, columns = image.shape
+    """Add to ``image`` (C, H, W) the weighted radiance (C, H', W') that each pupil point sees at its depth."""
+    channels, rows, columns = image.shape
     count = len(depth)
-    stride = radiance.shape[1]
-    flat = radiance.reshape(-1)
+    stride = np.uint32(radiance.shape[2])
+    next_column = np.uint32(1)
     kappa32 = np.float32(kappa)
     lowest32 = np.float32(lowest)
     step32 = np.float32(step)
-    for index in prange(rows):
-        row = first_row + pitch * index
-        line = image[index]
+    for row in prange(rows):
+        # Where a ray ends is the same for every channel.
+        part_x = np.empty(columns, np.float32)
+        part_y = np.empty(columns, np.float32)
+        place = np.empty(columns, np.uint32)
         for k in range(count):
             weight = weights[k]
             sx0 = slopes[k, 0] - kappa32 * centre[0]
             sy = slopes[k, 1] + kappa32 * (centre[1] - np.float32(row))
             y0 = np.float32(row + margin)
-            levels = depth[k, row, first_column::pitch]
-            for i in range(columns):
-                column = np.float32(first_column + pitch * i)
-                z = lowest32 + step32 * np.float32(levels[i])
-                sx = sx0 + kappa32 * column
-                x = column + np.float32(margin) + z * sx
+            levels = depth[k, row]
+            for column in range(columns):
+                z = lowest32 + step32 * np.float32(levels[column])
+                sx = sx0 + kappa32 * np.float32(column)
+                x = np.float32(column + margin) + z * sx
                 y = y0 - z * sy
-                line[i] += weight * bilinear(flat, stride, x, y)
+                left = np.int32(x)
+                top = np.int32(y)
+                part_x[column] = x - np.float32(left)
+                part_y[column] = y - np.float32(top)
+                place[column] = np.uint32(top * np.int32(stride) + left)
+            for channel in range(channels):
+                flat = radiance[channel].reshape(-1)
+                line = image[channel, row]
+                for column in range(columns):
+                    at = place[column]
+                    below = np.uint32(at + stride)
+                    a = part_x[column]
+                    upper = flat[at]
+                    upper += a * (flat[np.uint32(at + next_column)] - upper)
+                    lower = flat[below]
+                    lower += a * (flat[np.uint32(below + next_column)] - lower)
+                    line[column] += weight * (upper + part_y[column] * (lower - upper))
+
+
+@njit(cache=True, inline="always", fastmath=True)
+def _blur_row(
+    image: FloatImage, row: int, taps_x: FloatImage, taps_y: FloatImage, target: FloatImage
+) -> None:
+    """One row of a separable symmetric blur of ``image`` (H, W)."""
+    rows, columns = image.shape
+    reach_x = len(taps_x) - 1
+    line = np.empty(columns + 2 * reach_x, np.float32)
+    middle = line[reach_x : reach_x + columns]
+    source = image[row]
+    for column in range(columns):
+        middle[column] = taps_y[0] * source[column]
+    for i in range(1, len(taps_y)):
+        upper = image[max(row - i, 0)]
+        lower = image[min(row + i, rows - 1)]
+        tap = taps_y[i]
+        for column in range(columns):
+            middle[column] += tap * (upper[column] + lower[column])
+    for i in range(reach_x):
+        line[i] = middle[0]
+        line[reach_x + columns + i] = middle[columns - 1]
+    for column in range(columns):
+        target[column] = taps_x[0] * middle[column]
+    for i in range(1, reach_x + 1):
+        left = line[reach_x - i : reach_x - i + columns]
+        right = line[reach_x + i : reach_x + i + columns]
+        tap = taps_x[i]
+        for column in range(columns):
+            target[column] += tap * (left[column] + right[column])
 
 
 @njit(cache=True, parallel=True, fastmath=True)
 def blur(image: FloatImage, taps_x: FloatImage, taps_y: FloatImage, out: FloatImage) -> None:
-    """Separable symmetric blur; ``taps[i]`` is the weight at distance i, edges are repeated."""
-    rows, columns = image.shape
-    reach_x = len(taps_x) - 1
-    reach_y = len(taps_y) - 1
+    """Separable symmetric blur of (C, H, W); ``taps[i]`` is the weight at distance i, edges are repeated."""
+    channels, rows, _ = image.shape
     for row in prange(rows):
-        line = np.empty(columns + 2 * reach_x, np.float32)
-        middle = line[reach_x : reach_x + columns]
-        source = image[row]
-        for column in range(columns):
-            middle[column] = taps_y[0] * source[column]
-        for i in range(1, reach_y + 1):
-            upper = image[max(row - i, 0)]
-            lower = image[min(row + i, rows - 1)]
-            tap = taps_y[i]
-            for column in range(columns):
-                middle[column] += tap * (upper[column] + lower[column])
-        for i in range(reach_x):
-            line[i] = middle[0]
-            line[reach_x + columns + i] = middle[columns - 1]
-        target = out[row]
-        for column in range(columns):
-            target[column] = taps_x[0] * middle[column]
-        for i in range(1, reach_x + 1):
-            left = line[reach_x - i : reach_x - i + columns]
-            right = line[reach_x + i : reach_x + i + columns]
-            tap = taps_x[i]
-            for column in range(columns):
-                target[column] += tap * (left[column] + right[column])
+        for channel in range(channels):
+            _blur_row(image[channel], row, taps_x, taps_y, out[channel, row])
+
+
+@njit(cache=True, parallel=True, fastmath=True)
+def blur_to_mosaic(
+    image: FloatImage, taps_x: FloatImage, taps_y: FloatImage, out: FloatImage
+) -> None:
+    """What pixels below an RGGB filter (H, W) get of a blurred image (3, H, W); see :func:`blur`."""
+    _, rows, columns = image.shape
+    for row in prange(rows):
+        # Red is found in even rows, blue in odd ones, at every other pixel beside green.
+        coloured = row & 1
+        beside = np.empty(columns, np.float32)
+        _blur_row(image[1], row, taps_x, taps_y, out[row])
+        _blur_row(image[2 * coloured], row, taps_x, taps_y, beside)
+        for column in range(coloured, columns, 2):
+            out[row, column] = beside[column]
 
 
 def gaussian_taps(sigma_px: float) -> FloatImage:

@@ -23,7 +23,7 @@ from reliefscope_sim.optics.cache import ByteCache
 from reliefscope_sim.optics.lighting import Lighting, LitSurface
 from reliefscope_sim.optics.pupil import Pupil, PupilPoints
 from reliefscope_sim.optics.surface import Surface, as_float_image
-from reliefscope_sim.optics.views import Shader, Viewer, mosaic_of
+from reliefscope_sim.optics.views import Shader, Viewer
 from reliefscope_sim.scenes.scene import Scene
 from reliefscope_sim.sensor import Sensor
 
@@ -163,11 +163,14 @@ class Renderer:
             points = self._points(self._pupil.area_mm2 > 0, self._wide)
             image = self._wide.image(b"pupil", points, self._shader(light, coarse=True))
             rows, columns = self.shape
-            fine = [
-                as_float_image(cv2.resize(channel, None, fx=2, fy=2))[:rows, :columns]
-                for channel in image
-            ]
-            return mosaic_of(np.stack(fine))
+            red, green, blue = (
+                as_float_image(cv2.resize(image[channel], None, fx=2, fy=2))[:rows, :columns]
+                for channel in (0, len(image) // 2, -1)
+            )
+            mosaic = green.copy()
+            mosaic[0::2, 0::2] = red[0::2, 0::2]
+            mosaic[1::2, 1::2] = blue[1::2, 1::2]
+            return mosaic
 
         return self._wide_images.get(light, compute)
 

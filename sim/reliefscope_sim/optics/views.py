@@ -24,6 +24,7 @@ from reliefscope_sim.optics.ray_kernels import (
     DEPTH_LEVELS,
     DepthStack,
     blur,
+    blur_to_mosaic,
     gather,
     gaussian_taps,
     intersect,
@@ -38,14 +39,6 @@ their sum is then even to 2 exp(-2 pi^2 / 1.5^2), 0.3 per mille..."""
 _LEAST_APART_PX = 2.0
 """...or by this much, where the spot is smaller than a pixel."""
 _BATCH = 8
-_BINOMIAL: FloatImage = np.array([0.5, 0.25], dtype=np.float32)
-_SMOOTHED_VARIANCE = 0.5
-_LEAST_SPOT_OF_SITES_PX = 1.5
-
-Sites = tuple[int, int, int]
-_ALL_SITES: Sites = (0, 0, 1)
-_FILTERS: tuple[Sites, Sites] = ((0, 0, 2), (1, 1, 2))
-"""Red and blue pixels of the mosaic: first row, first column, pitch."""
 
 Shader = Callable[[NDArray[np.float64]], FloatImage]
 """Radiance (C, H', W') of the surface for rays of one slope (2,)."""
@@ -94,59 +87,43 @@ class Viewer:
 
     def image(self, key: bytes, points: PupilPoints, shader: Shader) -> FloatImage:
         """Image (C, H, W) through ``points``, which ``key`` names: radiance times open area in mm^2."""
-        every = [_ALL_SITES] * len(self.surface.albedo)
-        spot_px = self._spot_px(points)
-        return np.stack([_blurred(seen, spot_px) for seen in self._sum(key, points, shader, every)])
+        return self._blurred(self._sharp(key, points, shader), points)
 
     def mosaic(self, key: bytes, points: PupilPoints, shader: Shader) -> FloatImage:
-        """One value per pixel (H, W): the image, of a coloured one the channel that a pixel's filter passes.
-
-        Where diffraction hides what lies between, red and blue are rendered at their own pixels only, from
-        radiance smoothed by a little, which the blur by diffraction is then short of.
-        """
-        spot_px = self._spot_px(points)
-        if len(self.surface.albedo) == 1 or spot_px.min() < _LEAST_SPOT_OF_SITES_PX:
-            return mosaic_of(self.image(key, points, shader))
-        red, blue = _FILTERS
-        seen = self._sum(key, points, shader, [red, _ALL_SITES, blue])
-        mosaic = _blurred(seen[1], spot_px)
-        for (row, column, pitch), channel in zip(_FILTERS, seen[::2], strict=True):
-            rest_px = np.sqrt(spot_px**2 - _SMOOTHED_VARIANCE) / pitch
-            mosaic[row::pitch, column::pitch] = _blurred(channel, rest_px)
+        """The same, (H, W): of a coloured image each pixel has the channel that its RGGB filter passes."""
+        sharp = self._sharp(key, points, shader)
+        if len(sharp) == 1:
+            return as_float_image(self._blurred(sharp, points)[0])
+        mosaic: FloatImage = np.empty(sharp.shape[1:], dtype=np.float32)
+        blur_to_mosaic(sharp, *self._taps(points), mosaic)
         return mosaic
 
-    def _sum(
-        self, key: bytes, points: PupilPoints, shader: Shader, sites: list[Sites]
-    ) -> list[FloatImage]:
-        """Sharp images of each channel at its ``sites``."""
+    def _blurred(self, sharp: FloatImage, points: PupilPoints) -> FloatImage:
+        blurred: FloatImage = np.empty_like(sharp)
+        blur(sharp, *self._taps(points), blurred)
+        return blurred
+
+    def _sharp(self, key: bytes, points: PupilPoints, shader: Shader) -> FloatImage:
+        """Image (C, H, W) before diffraction."""
         rows, columns = self.surface.frame_shape
-        total: list[FloatImage] = [
-            np.zeros((len(range(row, rows, pitch)), len(range(column, columns, pitch))), np.float32)
-            for row, column, pitch in sites
-        ]
+        total: FloatImage = np.zeros((len(self.surface.albedo), rows, columns), dtype=np.float32)
         lean: NDArray[np.float64] | None = None
-        radiance: list[FloatImage] = []
         for batch in self._batches.get(key, lambda: self._trace(points)):
             if lean is None or not np.array_equal(lean, batch.lean):
                 lean = batch.lean
-                radiance = [
-                    channel if at == _ALL_SITES else _smoothed(channel)
-                    for channel, at in zip(shader(lean), sites, strict=True)
-                ]
-            for channel, at, seen in zip(radiance, sites, total, strict=True):
-                gather(
-                    channel,
-                    batch.depth,
-                    batch.slopes,
-                    batch.weights,
-                    self._kappa_per_px,
-                    self._centre,
-                    self.surface.margin,
-                    self.surface.lowest_px,
-                    self._depth_step,
-                    at,
-                    seen,
-                )
+                radiance = shader(lean)
+            gather(
+                radiance,
+                batch.depth,
+                batch.slopes,
+                batch.weights,
+                self._kappa_per_px,
+                self._centre,
+                self.surface.margin,
+                self.surface.lowest_px,
+                self._depth_step,
+                total,
+            )
         return total
 
     def _trace(self, points: PupilPoints) -> list[_Batch]:
@@ -221,28 +198,7 @@ class Viewer:
         spot: NDArray[np.float64] = AIRY_SIGMA * spot_um / self.surface.pixel_um
         return spot
 
-
-def mosaic_of(image: FloatImage) -> FloatImage:
-    """What an RGGB sensor (H, W) passes of an image (C, H, W); the only channel of one without colour."""
-    mosaic: FloatImage = image[len(image) // 2].copy()
-    if len(image) == 3:
-        for (row, column, pitch), channel in zip(_FILTERS, image[::2], strict=True):
-            mosaic[row::pitch, column::pitch] = channel[row::pitch, column::pitch]
-    return mosaic
-
-
-def _blurred(image: FloatImage, sigma_px: NDArray[np.float64]) -> FloatImage:
-    """Image (H, W) after a Gaussian blur of ``sigma_px`` (x, y)."""
-    taps_x, taps_y = gaussian_taps(float(sigma_px[0])), gaussian_taps(float(sigma_px[1]))
-    if len(taps_x) == 1 and len(taps_y) == 1:
-        return image
-    result: FloatImage = np.empty_like(image)
-    blur(image, taps_x, taps_y, result)
-    return result
-
-
-def _smoothed(image: FloatImage) -> FloatImage:
-    """Image (H, W) after a binomial filter of three pixels, of :data:`_SMOOTHED_VARIANCE` along each axis."""
-    result: FloatImage = np.empty_like(image)
-    blur(image, _BINOMIAL, _BINOMIAL, result)
-    return result
+    def _taps(self, points: PupilPoints) -> tuple[FloatImage, FloatImage]:
+        """Blur by diffraction along x and y, for :func:`blur`."""
+        spot_px = self._spot_px(points)
+        return gaussian_taps(float(spot_px[0])), gaussian_taps(float(spot_px[1]))
