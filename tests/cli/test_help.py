@@ -16,6 +16,7 @@ COMMANDS = [
     "acquire",
     "reconstruct",
     "evaluate",
+    "experiment",
     "fiducial",
     "focus-stack",
     "verify",

@@ -25,6 +25,7 @@ from reliefscope.cli.commands import (
     demo,
     diagnose,
     evaluate,
+    experiment,
     fiducial,
     flash,
     focus_stack,
@@ -60,6 +61,7 @@ app.command("bundle", rich_help_panel="Look after runs")(bundle.bundle)
 app.command("flash", rich_help_panel="Look after the instrument")(flash.flash)
 app.command("link-test", rich_help_panel="Look after the instrument")(link_test.link_test)
 app.add_typer(calibrate.app, name="calibrate", rich_help_panel="Measure")
+app.add_typer(experiment.app, name="experiment", rich_help_panel="Start here")
 
 COMMAND_GROUP = "reliefscope.commands"
 for _entry in entry_points(group=COMMAND_GROUP):

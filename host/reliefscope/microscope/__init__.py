@@ -14,11 +14,16 @@ from reliefscope.microscope.bundles import bundle_run
 from reliefscope.microscope.demonstration import DemoResult, demo
 from reliefscope.microscope.evaluating import Evaluation, evaluate_run
 from reliefscope.microscope.experiments import (
+    SIMULANTS,
     FocusOutcome,
+    SimulantFigure,
+    TableOne,
     ZCalibration,
     calibrate_z,
     focus_pictures,
     record_stack,
+    simulant_figures,
+    table_one,
     take_z_stage,
 )
 from reliefscope.microscope.instruments import Instrument, default_devices, resolve_instrument
@@ -29,13 +34,16 @@ from reliefscope.microscope.reconstructing import Outcome, reconstruct_run
 from reliefscope.microscope.stored import StoredRun, import_photographs, open_run
 
 __all__ = [
+    "SIMULANTS",
     "DemoResult",
     "Evaluation",
     "FocusOutcome",
     "Instrument",
     "Microscope",
     "Outcome",
+    "SimulantFigure",
     "StoredRun",
+    "TableOne",
     "ZCalibration",
     "bundle_run",
     "calibrate_lights",
@@ -50,5 +58,7 @@ __all__ = [
     "reconstruct_run",
     "record_stack",
     "resolve_instrument",
+    "simulant_figures",
+    "table_one",
     "take_z_stage",
 ]

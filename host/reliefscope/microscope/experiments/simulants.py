@@ -1,0 +1,101 @@
+"""The paper's figures of planetary simulants (Figs. 10 to 12) on simulated samples."""
+
+from __future__ import annotations
+
+from collections.abc import Iterable
+from dataclasses import dataclass
+from pathlib import Path
+from typing import Any
+from urllib.parse import urlencode
+
+from reliefscope.errors import InvalidInputError
+from reliefscope.jobs import Job, ensure_job
+from reliefscope.microscope.experiments.runs import result_of, run_of
+from reliefscope.microscope.instruments import DEFAULT_PROFILE, DEMO_SCHEME
+from reliefscope.microscope.places import fresh_path
+from reliefscope.microscope.reconstructing import DEFAULT_METHOD
+from reliefscope.report.simulant import simulant_figure
+
+SIMULANTS = {
+    "ds1": "Asteroid simulant DS-1-CR-1",
+    "mars1": "Martian simulant JSC Mars-1",
+    "jsc1a": "Lunar simulant JSC-1A",
+}
+"""Option ``simulant`` of the scene ``regolith`` and what it stands for."""
+
+
+@dataclass(frozen=True, slots=True)
+class SimulantFigure:
+    """One simulant: its run, what was found, and its figure."""
+
+    name: str
+    run: Path
+    figure: Path
+    facts: dict[str, Any]
+
+    def as_dict(self) -> dict[str, Any]:
+        """For ``--json``."""
+        return {
+            "name": self.name,
+            "run": str(self.run),
+            "figure": str(self.figure),
+            "summary": self.facts,
+        }
+
+
+def simulant_figures(
+    out: Path | str | None = None,
+    *,
+    simulants: Iterable[str] = tuple(SIMULANTS),
+    method: str = DEFAULT_METHOD,
+    size: tuple[int, int] | None = None,
+    seed: int = 1,
+    job: Job | None = None,
+) -> list[SimulantFigure]:
+    """Measure simulated simulants and draw each as the paper does: micrograph, oblique view, height, slant.
+
+    Parameters
+    ----------
+    out:
+        Folder for everything; ``runs/simulants-001`` and so on if left out.  Runs and results that it holds already,
+        under ``SIMULANT`` and its ``results/METHOD``, are used as they are.
+    simulants, seed:
+        Which samples, and the seed that draws them.
+    method:
+        Method of reconstruction.
+    size:
+        (columns, rows) of the camera's central region; all of it if left out.
+    job:
+        Receives progress; may cancel.
+
+    Raises
+    ------
+    InvalidInputError
+        There is no such simulant or method.
+    DatasetError
+        Something could not be written.
+    """
+    simulants = tuple(simulants)
+    unknown = [name for name in simulants if name not in SIMULANTS]
+    if unknown or not simulants:
+        raise InvalidInputError(
+            f"There is no simulant `{unknown[0]}`." if unknown else "No simulant was named.",
+            hint=f"Use some of: {', '.join(SIMULANTS)}.",
+        )
+    job = ensure_job(job)
+    folder = fresh_path("simulants") if out is None else Path(out)
+    figures = []
+    for name in simulants:
+        run = run_of(_url(name, size, seed), folder / name, SIMULANTS[name], job)
+        result = result_of(run, method, job)
+        colour = run.data.rgb("centre", None, None) if run.data.has("centre") else None
+        figure = simulant_figure(result, colour, SIMULANTS[name], folder / f"{name}.jpg")
+        figures.append(SimulantFigure(name, run.path, figure, result.summary()))
+    return figures
+
+
+def _url(name: str, size: tuple[int, int] | None, seed: int) -> str:
+    options: dict[str, object] = {"scene": "regolith", "scene.simulant": name, "seed": seed}
+    if size is not None:
+        options["size"] = f"{size[0]}x{size[1]}"
+    return f"{DEMO_SCHEME}://{DEFAULT_PROFILE}?{urlencode(options)}"
