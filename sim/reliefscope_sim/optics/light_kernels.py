@@ -254,34 +254,25 @@ def find_neighbours(
 
 
 @njit(cache=True, parallel=True, fastmath=True)
-def collect(
-    direct: FloatImage,
-    between: FloatImage,
-    reflectance: FloatImage,
-    hits: HitStack,
-    out: FloatImage,
-) -> None:
-    """Irradiance ``out`` (H'/r, W'/r, C) that each cell receives from the pixels that it sees.
+def collect(radiosity: FloatImage, hits: HitStack, shift: int, out: FloatImage) -> None:
+    """Add to ``out`` (h, w, C) the irradiance that each cell receives from the pixels that it sees.
 
-    These reflect, by ``reflectance`` (H', W', C), ``direct`` (H', W'), the light of the LED, and ``between``
-    (H'/r, W'/r, C), what their own cell received before.
+    ``hits`` (h, w, K) counts pixels cell by cell; ``radiosity`` (N, C) is what each run of ``2^shift`` of them sends:
+    every pixel, or every cell.
     """
     rows, columns, count = hits.shape
-    width, channels = reflectance.shape[1], reflectance.shape[2]
-    cell = width // columns
-    light = direct.reshape(-1)
-    flat = reflectance.reshape(-1)
+    channels = radiosity.shape[1]
+    flat = radiosity.reshape(-1)
     part = np.float32(1.0 / count)
     for row in prange(rows):
         total = np.empty(channels, np.float32)
         for column in range(columns):
             total[:] = np.float32(0.0)
             for k in range(count):
-                at = hits[row, column, k]
-                if at >= 0:
-                    before = between[at // width // cell, at % width // cell]
+                hit = hits[row, column, k]
+                if hit >= 0:
+                    at = (hit >> shift) * channels
                     for channel in range(channels):
-                        arriving = light[at] + before[channel]
-                        total[channel] += flat[at * channels + channel] * arriving
+                        total[channel] += flat[at + channel]
             for channel in range(channels):
-                out[row, column, channel] = part * total[channel]
+                out[row, column, channel] += part * total[channel]

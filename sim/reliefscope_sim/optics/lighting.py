@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import math
 from dataclasses import dataclass
+from typing import TypeVar
 
 import cv2
 import numpy as np
@@ -21,10 +22,13 @@ from reliefscope_sim.optics.light_kernels import (
 from reliefscope_sim.optics.shading_kernels import shade
 from reliefscope_sim.optics.surface import ALIGNMENT, Surface, as_float_image, block_mean
 
+_Value = TypeVar("_Value", np.float32, np.int32)
+
 LED_DIAMETER_MM = 2.0
 """Bright part of the lens of a 3 mm LED (assumed); it sets the soft edge of shadows."""
 _DIRECTIONS = 48
-_BOUNCES = 2
+_CELL_BITS = 4
+"""A cell of the light between surfaces has 2^4 pixels."""
 
 
 @dataclass(frozen=True)
@@ -57,7 +61,11 @@ class Lighting:
         self._reference_px = dome.radius_mm * UM_PER_MM / surface.pixel_um
         self._beam_exponent = math.log(0.5) / math.log(math.cos(math.radians(dome.half_angle_deg)))
         self._source_radius = LED_DIAMETER_MM / 2 / dome.radius_mm
-        self._reflectance: FloatImage = np.ascontiguousarray(np.moveaxis(surface.reflectance, 0, 2))
+        self._reflectance: FloatImage = np.stack(
+            [_by_cells(plane) for plane in surface.reflectance], axis=-1
+        )
+        per_cell = self._reflectance.reshape(-1, 1 << _CELL_BITS, self._reflectance.shape[1])
+        self._cell_reflectance: FloatImage = per_cell.mean(axis=1)
         boxes = (np.ones((2 * stride + 3,) * 2, dtype=np.uint8) for stride in STRIDES_PX)
         self._ceilings = np.stack(
             [as_float_image(cv2.dilate(surface.height_px, box)) for box in boxes]
@@ -90,14 +98,17 @@ class Lighting:
         return LitSurface(direct, self._from_other_surfaces(direct))
 
     def _from_other_surfaces(self, direct: FloatImage) -> FloatImage:
-        """Light (C, H'/4, W'/4) that surfaces give each other, each reflecting evenly to all sides."""
-        rows, columns, _ = self._hits.shape
-        shape = (rows, columns, self._reflectance.shape[2])
-        between: FloatImage = np.zeros(shape, dtype=np.float32)
-        for _ in range(_BOUNCES):
-            received: FloatImage = np.empty(shape, dtype=np.float32)
-            collect(direct, between, self._reflectance, self._hits, received)
-            between = received
+        """Light (C, H'/4, W'/4) that came from the LED by way of one other surface or two.
+
+        Each reflects evenly to all sides, a mirror too.  What a pixel of a wall sends on is its own light; the
+        second time it is the mean of its cell's.
+        """
+        between: FloatImage = np.zeros(
+            self._hits.shape[:2] + self._reflectance.shape[1:], np.float32
+        )
+        collect(self._reflectance * _by_cells(direct)[:, None], self._hits, 0, between)
+        once = between.reshape(self._cell_reflectance.shape)
+        collect(self._cell_reflectance * once, self._hits, _CELL_BITS, between)
         return np.stack(
             [cv2.GaussianBlur(plane, (0, 0), 0.8) for plane in np.moveaxis(between, 2, 0)]
         )
@@ -148,8 +159,18 @@ def optical_axis(surface: Surface) -> FloatImage:
     )
 
 
+def _by_cells(values: NDArray[_Value]) -> NDArray[_Value]:
+    """Pixels (H', W') in a row (H' W'), cell after cell of 4 x 4."""
+    rows, columns = values.shape
+    blocks = values.reshape(rows // ALIGNMENT, ALIGNMENT, columns // ALIGNMENT, ALIGNMENT)
+    return np.ascontiguousarray(blocks.transpose(0, 2, 1, 3)).reshape(-1)
+
+
 def _neighbours(surface: Surface, ceilings: FloatImage) -> NDArray[np.int32]:
-    """For each cell, the pixels that it sees in directions that are spread as the cosine about its normal."""
+    """For each cell, the pixels that it sees in directions that are spread as the cosine about its normal.
+
+    Pixels are counted as :func:`_by_cells` puts them; -1 is the open sky.
+    """
     index = np.arange(_DIRECTIONS)
     radius = np.sqrt((index + 0.5) / _DIRECTIONS)
     azimuth = index * math.pi * (3 - math.sqrt(5))
@@ -167,4 +188,8 @@ def _neighbours(surface: Surface, ceilings: FloatImage) -> NDArray[np.int32]:
         surface.highest_px,
         hits,
     )
+    places = np.arange(rows * columns, dtype=np.int32).reshape(rows, columns)
+    order = np.empty(rows * columns, dtype=np.int32)
+    order[_by_cells(places)] = places.reshape(-1)
+    np.copyto(hits, order[hits], where=hits >= 0)
     return hits

@@ -19,7 +19,7 @@ from reliefscope_sim.as_built import AsBuilt
 _SUBDIVISIONS = 8
 _EXACT_POINTS = 16
 """Up to so many points an aperture keeps each pixel as its own point."""
-_MOST_POINTS = 48
+_MOST_POINTS = 32
 """More are merged even where their images part visibly, far outside the depth of field."""
 
 _CORNERS = np.array([(-1.0, -1.0), (-1.0, 1.0), (1.0, -1.0), (1.0, 1.0)])
@@ -65,10 +65,11 @@ class PupilPoints:
         )
 
     def clusters(self, cell_mm: float) -> list[PupilPoints]:
-        """The same points in groups that fit into square cells; one group where all fit into one."""
-        if not (np.ptp(self.position_mm, axis=0) > cell_mm).any():
-            return [self]
-        cells = np.floor(self.position_mm / cell_mm + 0.5).astype(int)
+        """The same points in groups that fit into cells of at most ``cell_mm``, evenly over their extent."""
+        low, extent = self.position_mm.min(axis=0), np.ptp(self.position_mm, axis=0)
+        count = np.maximum(np.ceil(extent / cell_mm), 1)
+        cells = np.minimum((self.position_mm - low) / np.maximum(extent, 1e-9) * count, count - 1)
+        cells = cells.astype(int)
         _, group = np.unique(cells, axis=0, return_inverse=True)
         group = group.ravel()
         return [
@@ -122,7 +123,7 @@ class Pupil:
         """Points that stand for the pixels of ``mask`` (64, 128), no further apart than ``spacing_mm``.
 
         An aperture as small as that is condensed to four points.  Otherwise pixels larger than it are divided,
-        and many pixels smaller than it are merged.  There are never many more than 48 points, which bounds time
+        and many pixels smaller than it are merged.  There are never many more than 32 points, which bounds time
         and memory whatever the height of the sample.
         """
         pixels = self.pixels(mask)

@@ -36,6 +36,9 @@ _WHITE_ALBEDO = 0.9
 _TRANSMISSION_LEVELS = 4096
 _RATIO_LEVELS = 1024
 _GLOSS_CELL_MM = 3.0
+"""Points of an aperture that lie within so much share one direction of view for gloss..."""
+_WIDE_GLOSS_CELL_MM = 4.6
+"""...and of the whole pupil, whose leakage is a blur in any case."""
 _MB = 1 << 20
 
 LightKey = tuple[tuple[int, float], ...]
@@ -72,10 +75,11 @@ class Renderer:
         )
         self._coarse = self._surface.coarser(2)
         self._lighting = Lighting(self._surface, profile.dome, as_built)
-        gloss_cell_mm = 0.0 if self._surface.specular is None else _GLOSS_CELL_MM
+        glossy = self._surface.specular is not None
+        cells_mm = (_GLOSS_CELL_MM, _WIDE_GLOSS_CELL_MM) if glossy else (0.0, 0.0)
         sizes = [int(cache_mb * share * _MB) for share in (0.2, 0.08, 0.3, 0.2, 0.22)]
-        self._viewer = Viewer(self._surface, profile.optics, as_built, gloss_cell_mm, sizes[0])
-        self._wide = Viewer(self._coarse, profile.optics, as_built, gloss_cell_mm, sizes[1])
+        self._viewer = Viewer(self._surface, profile.optics, as_built, cells_mm[0], sizes[0])
+        self._wide = Viewer(self._coarse, profile.optics, as_built, cells_mm[1], sizes[1])
         self._lit: ByteCache[LitSurface] = ByteCache(sizes[2], lambda lit: lit.nbytes)
         self._images: ByteCache[FloatImage] = ByteCache(sizes[3], lambda image: image.nbytes)
         self._wide_images: ByteCache[FloatImage] = ByteCache(sizes[4], lambda image: image.nbytes)
