@@ -33,7 +33,9 @@ STN_CONTRAST = 10.0
 STAGE_RANGE_UM = (-1000.0, 1000.0)
 KEYS = {
     "scene": "what lies under the instrument (default: fiducial)",
-    "finish": "surface of the scene: dull, half or metallic (where the scene has finishes)",
+    "finish": "surface of the fiducial: dull, half or metallic",
+    "simulant": "what regolith is made of: ds1, jsc1a or mars1",
+    "file": "height map of scene=heightmap",
     "stage_um": "height to which the stage lifts the sample, in um (default: 0)",
     "seed": "seed of everything random (default: 1)",
     "profile": "instrument profile by name or path",
@@ -137,8 +139,7 @@ class SimUrl:
             for key, value in options.items()
             if key.startswith("scene.")
         }
-        if "finish" in options:
-            scene_options["finish"] = options["finish"]
+        scene_options |= {key: options[key] for key in _SCENE_KEYS if key in options}
         default_profile = identity if identity in builtin_profiles() else DEFAULT_PROFILE
         glass = _choice("glass", options, ("E", "S")) if "glass" in options else None
         as_built = _whole("as_built", options["as_built"]) if "as_built" in options else None
@@ -255,7 +256,9 @@ class SimUrl:
 
 
 _OTHER_FIELDS = {"fault": "faults", "temperature": "temperature_c"}
-_FIELD_OF_KEY = {key: _OTHER_FIELDS.get(key, key) for key in KEYS if key != "finish"}
+_SCENE_KEYS = ("finish", "simulant", "file")
+"""Options of scenes that may be written without `scene.`."""
+_FIELD_OF_KEY = {key: _OTHER_FIELDS.get(key, key) for key in KEYS if key not in _SCENE_KEYS}
 
 
 def _short_hash(*content: object) -> str:

@@ -20,11 +20,16 @@ def test_every_option():
         "sim://benchtop?scene=plane&scene.tilt_deg=10&finish=dull&seed=5&as_built=9&size=96x72"
         "&time=real&glass=E&mounting=top_view&fault=camera_drop:3&fault=link_loss:0.5"
         "&calibration=nominal&profile=benchtop&contrast=12&temperature=-5&led_droop=0.05&bits=8"
-        "&stage_um=-12.5"
+        "&stage_um=-12.5&simulant=ds1&file=ground.x3p"
     )
     assert {key for key, _ in url.given} - {"scene.tilt_deg"} == set(KEYS) - {"replay"}
     assert (url.scene, url.seed, url.as_built, url.size) == ("plane", 5, 9, (96, 72))
-    assert dict(url.scene_options) == {"tilt_deg": "10", "finish": "dull"}
+    assert dict(url.scene_options) == {
+        "tilt_deg": "10",
+        "finish": "dull",
+        "simulant": "ds1",
+        "file": "ground.x3p",
+    }
     assert (url.time, url.mounting) == ("real", Mounting.TOP_VIEW)
     assert url.faults == Faults(
         rates={"link_loss": 0.5}, places={"camera_drop": Place(frozenset({3}))}

@@ -8,7 +8,9 @@ from __future__ import annotations
 from collections.abc import Callable, Mapping
 
 from reliefscope.errors import InvalidInputError
+from reliefscope_sim.scenes.chrome import chrome
 from reliefscope_sim.scenes.fiducial import fiducial
+from reliefscope_sim.scenes.heightmap import heightmap
 from reliefscope_sim.scenes.options import Options, OptionValue
 from reliefscope_sim.scenes.regolith import regolith
 from reliefscope_sim.scenes.scene import MARGIN_PX, Scene
@@ -19,9 +21,11 @@ __all__ = ["SCENES", "Scene", "load_scene"]
 SceneMaker = Callable[[int, Options, tuple[int, int], float], Scene]
 
 SCENES: dict[str, SceneMaker] = {
+    "chrome": chrome,
     "fiducial": fiducial,
     "flat": flat,
     "grid": grid,
+    "heightmap": heightmap,
     "hemisphere": hemisphere,
     "plane": plane,
     "regolith": regolith,

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import difflib
+import math
 from collections.abc import Mapping
 
 from reliefscope.errors import InvalidInputError
@@ -19,17 +20,19 @@ class Options:
         self._known: list[str] = []
 
     def number(self, key: str, default: float, low: float, high: float) -> float:
-        """Number within [low, high]."""
+        """Number within [low, high]; a default of NaN stands for "not given"."""
         self._known.append(key)
         given = self._values.pop(key, default)
+        if given is default:
+            return default
         try:
             value = float(given)
         except ValueError:
-            value = float("nan")
+            value = math.nan
         if not low <= value <= high:
             raise InvalidInputError(
                 f"Scene `{self._scene}`: {key}={given} is not a number from {low:g} to {high:g}.",
-                hint=f"Leave {key} out for its default, {default:g}.",
+                hint=f"Leave {key} out for its default{'' if math.isnan(default) else f', {default:g}'}.",
             )
         return value
 
@@ -43,6 +46,11 @@ class Options:
                 hint=f"Use one of: {', '.join(allowed)}.",
             )
         return value
+
+    def text(self, key: str) -> str:
+        """Any text; empty where it was not given."""
+        self._known.append(key)
+        return str(self._values.pop(key, ""))
 
     def finish(self) -> None:
         """Refuse options that the scene does not have."""

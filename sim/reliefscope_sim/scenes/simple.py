@@ -8,28 +8,15 @@ import numpy as np
 
 from reliefscope.axes import pixel_grid_um
 from reliefscope.targets import grid_coverage, scale_coverage
-from reliefscope.units import FloatImage
 from reliefscope_sim.scenes.options import Options
 from reliefscope_sim.scenes.scene import Scene
-from reliefscope_sim.scenes.textures import speckle
-
-
-def _albedo(seed: int, options: Options, shape: tuple[int, int], pixel_um: float) -> FloatImage:
-    """Even albedo, or one with speckle of relative standard deviation ``texture``."""
-    mean = options.number("albedo", 0.9, 0.0, 1.0)
-    texture = options.number("texture", 0.0, 0.0, 1.0)
-    if texture == 0.0:
-        return np.full(shape, mean, dtype=np.float32)
-    generator = np.random.default_rng([seed, 0xA1B])
-    field = speckle(generator, shape, (2.0 / pixel_um, 5.0 / pixel_um), (1.0, 0.7))
-    albedo: FloatImage = np.clip(mean * (1 + texture * field), 0.0, 1.0).astype(np.float32)
-    return albedo
+from reliefscope_sim.scenes.textures import albedo_map
 
 
 def flat(seed: int, options: Options, shape: tuple[int, int], pixel_um: float) -> Scene:
     """Level diffuser at ``height_um``."""
     height = options.number("height_um", 0.0, -1000.0, 1000.0)
-    albedo = _albedo(seed, options, shape, pixel_um)
+    albedo = albedo_map(seed, options, shape, pixel_um)
     return Scene("flat", pixel_um, np.full(shape, height, dtype=np.float32), albedo)
 
 
@@ -40,7 +27,7 @@ def plane(seed: int, options: Options, shape: tuple[int, int], pixel_um: float) 
     x_um, y_um = pixel_grid_um(shape, pixel_um)
     rise_x, rise_y = slope * math.cos(azimuth), slope * math.sin(azimuth)
     height_um = (rise_x * x_um[None, :] + rise_y * y_um[:, None]).astype(np.float32)
-    return Scene("plane", pixel_um, height_um, _albedo(seed, options, shape, pixel_um))
+    return Scene("plane", pixel_um, height_um, albedo_map(seed, options, shape, pixel_um))
 
 
 def hemisphere(seed: int, options: Options, shape: tuple[int, int], pixel_um: float) -> Scene:
@@ -50,7 +37,7 @@ def hemisphere(seed: int, options: Options, shape: tuple[int, int], pixel_um: fl
     x_um, y_um = pixel_grid_um(shape, pixel_um)
     squared = radius**2 - x_um[None, :] ** 2 - y_um[:, None] ** 2
     height_um = (np.sqrt(np.maximum(squared, 0.0)) + base).astype(np.float32)
-    return Scene("hemisphere", pixel_um, height_um, _albedo(seed, options, shape, pixel_um))
+    return Scene("hemisphere", pixel_um, height_um, albedo_map(seed, options, shape, pixel_um))
 
 
 def grid(seed: int, options: Options, shape: tuple[int, int], pixel_um: float) -> Scene:
@@ -58,7 +45,7 @@ def grid(seed: int, options: Options, shape: tuple[int, int], pixel_um: float) -
     height = options.number("height_um", 0.0, -1000.0, 1000.0)
     pitch = options.number("pitch_um", 200.0, 5.0, 2000.0)
     line = options.number("line_um", 20.0, 1.0, 1000.0)
-    white = _albedo(seed, options, shape, pixel_um)
+    white = albedo_map(seed, options, shape, pixel_um)
     albedo = white * (1 - 0.9 * grid_coverage(shape, pixel_um, pitch, line))
     level = np.full(shape, height, dtype=np.float32)
     return Scene("grid", pixel_um, level, albedo.astype(np.float32))
@@ -66,6 +53,6 @@ def grid(seed: int, options: Options, shape: tuple[int, int], pixel_um: float) -
 
 def scale(seed: int, options: Options, shape: tuple[int, int], pixel_um: float) -> Scene:
     """Dark marks of a stage micrometre on a white plate in the focal plane."""
-    white = _albedo(seed, options, shape, pixel_um)
+    white = albedo_map(seed, options, shape, pixel_um)
     albedo = white * (1 - 0.9 * scale_coverage(shape, pixel_um))
     return Scene("scale", pixel_um, np.zeros(shape, dtype=np.float32), albedo.astype(np.float32))

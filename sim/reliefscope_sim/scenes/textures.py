@@ -6,6 +6,7 @@ import cv2
 import numpy as np
 
 from reliefscope.units import FloatImage
+from reliefscope_sim.scenes.options import Options
 
 
 def noise(
@@ -32,3 +33,22 @@ def speckle(
         total += np.float32(weight) * noise(generator, shape, correlation_px)
     scaled: FloatImage = total / np.float32(np.sqrt(np.square(weights).sum()))
     return scaled
+
+
+def albedo_map(
+    seed: int,
+    options: Options,
+    shape: tuple[int, int],
+    pixel_um: float,
+    mean: float = 0.9,
+    texture: float = 0.0,
+) -> FloatImage:
+    """Even ``albedo`` (H, W), or one with speckle of relative standard deviation ``texture``, as the options say."""
+    mean = options.number("albedo", mean, 0.0, 1.0)
+    texture = options.number("texture", texture, 0.0, 1.0)
+    if texture == 0.0:
+        return np.full(shape, mean, dtype=np.float32)
+    generator = np.random.default_rng([seed, 0xA1B])
+    field = speckle(generator, shape, (2.0 / pixel_um, 5.0 / pixel_um), (1.0, 0.7))
+    albedo: FloatImage = np.clip(mean * (1 + texture * field), 0.0, 1.0).astype(np.float32)
+    return albedo
