@@ -33,6 +33,8 @@ from reliefscope.reconstruction.mvs import WINDOW, match_views, mean_ncc
 PIXEL_UM = 1.12
 SEARCH_UM = np.arange(0.0, 150.0)
 """Range and step of the paper's kind of search."""
+APERTURE_BLUR_UM = 2.5
+"""Standard deviation of the Gaussian nearest to the Airy disc of a 1.5 mm aperture (eq. 2)."""
 ACCURACY_SHAPE = (160, 208)
 
 
@@ -69,8 +71,13 @@ def opencv_height(views: NDArray[np.float32], slopes: NDArray[np.float64]) -> ND
 def full_size(
     shape: tuple[int, int], views: int
 ) -> tuple[NDArray[np.float32], NDArray[np.float64]]:
-    """Noise as channels (groups of lights, views, H, W), and slopes: time does not depend on what is seen."""
+    """Noise as channels (groups of lights, views, H, W), and slopes: time does not depend on what is seen.
+
+    The noise is as blurred as the benchtop's apertures blur, so that matching bins it as it bins frames.
+    """
     images = np.random.default_rng(1).random((GROUPS, views, *shape), dtype=np.float32)
+    for image in images.reshape(-1, *shape):
+        cv2.GaussianBlur(image, (0, 0), APERTURE_BLUR_UM / PIXEL_UM, dst=image)
     return images, scenes.hexagon_slopes(views, 0.127)
 
 

@@ -9,7 +9,12 @@ from tests.reconstruction import scenes
 from reliefscope.errors import Cancelled, InvalidInputError
 from reliefscope.jobs import Job, Progress
 from reliefscope.reconstruction import joint
-from reliefscope.reconstruction.joint import candidate_heights, light_groups, match_jointly
+from reliefscope.reconstruction.joint import (
+    candidate_heights,
+    light_groups,
+    match_jointly,
+    resolved_binning,
+)
 from reliefscope.reconstruction.joint_kernels import expand, score_tile_jointly
 from reliefscope.reconstruction.mvs import match_views
 from reliefscope.reconstruction.shifts import TAPS, plan_shifts
@@ -118,11 +123,19 @@ def test_plane_and_dome_are_found_at_least_as_well_as_by_the_exact_search() -> N
     for height in (scenes.plane(0.05, 0.12, 6.0), scenes.dome(SHAPE, 40, 40.0)):
         scene = scenes.render(height, SHAPE, scenes.hexagon_slopes(12, 0.127), noise=0.005)
         exact = match_views(scene.views, scene.slopes, np.arange(-6.0, 51.0), scene.pixel_um)
-        ours = match_jointly(shaded(scene, 4, 1), scene.slopes, RANGE_UM, scene.pixel_um)
+        ours = match_jointly(shaded(scene, 4, 1), scene.slopes, RANGE_UM, scene.pixel_um, binning=2)
         errors = [np.abs(found.height_um - scene.height_um)[INSIDE] for found in (exact, ours)]
         assert np.isfinite(errors[1]).all()
         assert errors[1].mean() <= errors[0].mean()
         assert ours.accepted(joint.QUALITY_THRESHOLD)[INSIDE].mean() > 0.99
+
+
+@pytest.mark.parametrize(("blur_px", "binning"), [(0.7, 1), (2.4, 2), (5.0, 4)])
+def test_pixels_are_binned_as_far_as_the_images_are_blurred(blur_px: float, binning: int) -> None:
+    image = scenes.texture((400, 420), 6, blur_px) + 0.2 * (np.arange(420) // 60 % 2)
+    image = ndimage.gaussian_filter(image, blur_px)
+    noisy = image + np.random.default_rng(1).normal(0, 0.002, image.shape)
+    assert resolved_binning(noisy[None].astype(np.float32)) == binning
 
 
 def test_a_step_stays_where_it_is() -> None:

@@ -8,8 +8,8 @@ What differs from the paper's search (:func:`~reliefscope.reconstruction.mvs.mat
   an offset, which correlation does not see.
 - Small windows are correlated, and their scores averaged over a larger one and over the channels; what
   fits best weighs most (:mod:`~reliefscope.reconstruction.joint_kernels`).
-- Pixels are binned, and the candidate heights spaced by parallax on the binned grid: the apertures' blur
-  leaves nothing finer to match.  The peak is refined by a parabola.
+- Pixels are binned as far as the apertures' blur leaves nothing finer to match, and the candidate heights
+  spaced by parallax on the binned grid.  The peak is refined by a parabola.
 
 Quality keeps its meaning: greatest score minus the median over all candidate heights.  Validity at the
 borders is that of :mod:`~reliefscope.reconstruction.mvs`, except that a view counts for a small tile as a
@@ -44,8 +44,9 @@ from reliefscope.units import FloatImage
 
 GROUPS = 4
 """Groups of lights matched jointly."""
-BINNING = 2
-"""Pixels per side that are averaged before matching."""
+SHARPNESS_RATIO = 3.1
+"""Pixels are binned by two as long as the mean squared difference of intensities grows by more than this from
+two pixels to four: an image so blurred (4 would be all blur, 2 a sharp edge, 1 noise) has nothing finer."""
 SMALL_WINDOW = 3
 LARGE_WINDOW = 5
 """Windows in binned pixels: correlated, and averaged over."""
@@ -98,6 +99,20 @@ def light_groups(directions: NDArray[np.float64] | None, count: int) -> list[lis
     return [[int(light) for light in part] for part in parts]
 
 
+def resolved_binning(images: FloatImage) -> int:
+    """Pixels per side, a power of two, that can be averaged in images (C, H, W) without losing detail."""
+    binning = 1
+    while min(images.shape[1:]) >= 2 * LEAST_SIDE * binning:
+        near, far = (
+            sum(float(np.mean((image[::4, lag:] - image[::4, :-lag]) ** 2)) for image in images)
+            for lag in (2 * binning, 4 * binning)
+        )
+        if far <= SHARPNESS_RATIO * near:
+            break
+        binning *= 2
+    return binning
+
+
 def candidate_heights(
     slopes: NDArray[np.float64], range_um: tuple[float, float], pixel_um: float, binning: int
 ) -> NDArray[np.float64]:
@@ -117,7 +132,7 @@ def match_jointly(
     job: Job | None = None,
     *,
     telecentricity_per_um: float = 0.0,
-    binning: int = BINNING,
+    binning: int | None = None,
     small_window: int = SMALL_WINDOW,
     large_window: int | None = None,
 ) -> MvsResult:
@@ -137,9 +152,11 @@ def match_jointly(
         Progress (stage ``match``, per tile) and cancellation.
     telecentricity_per_um:
         Growth of the slopes with the position from the middle of the field; constant within a tile.
-    binning, small_window, large_window:
-        See :data:`BINNING`, :data:`SMALL_WINDOW`, :data:`LARGE_WINDOW`; the windows are odd.  None:
-        :data:`LARGE_WINDOW` of several channels, :data:`LARGE_WINDOW_ALONE` of one.
+    binning:
+        Pixels per side that are averaged before matching; None: as :func:`resolved_binning` finds.
+    small_window, large_window:
+        See :data:`SMALL_WINDOW`, :data:`LARGE_WINDOW`; both odd.  None: :data:`LARGE_WINDOW` of several
+        channels, :data:`LARGE_WINDOW_ALONE` of one.
 
     Raises
     ------
@@ -165,8 +182,8 @@ def match_jointly(
     for images in stack:
         _, s = check_views(images, slopes, pixel_um, small_window)
     shape = (stack.shape[2], stack.shape[3])
-    if min(shape) < LEAST_SIDE * binning:
-        binning = 1
+    if binning is None:
+        binning = resolved_binning(stack[:, 0])
     heights = candidate_heights(s, range_um, pixel_um, binning)
     check_baseline(s, heights, pixel_um)
     coarse = (shape[0] // binning, shape[1] // binning)
