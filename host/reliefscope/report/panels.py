@@ -98,12 +98,18 @@ def _draw(figure: Figure, panel: Panel, place: tuple[int, int, int]) -> None:
 
 
 def _reduced(image: FloatImage) -> FloatImage:
-    """The image at no more than the pixels that a figure shows; NaN stays where it was."""
+    """The image at no more than the pixels that a figure shows: block means of the pixels that are known."""
     rows, columns = image.shape[:2]
     if columns <= _WIDEST_PX:
         return image
     size = (_WIDEST_PX, max(1, round(rows * _WIDEST_PX / columns)))
-    return np.asarray(cv2.resize(image, size, interpolation=cv2.INTER_AREA), np.float32)
+    known = np.isfinite(image)
+    if known.all():
+        return np.asarray(cv2.resize(image, size, interpolation=cv2.INTER_AREA), np.float32)
+    total = cv2.resize(np.nan_to_num(image), size, interpolation=cv2.INTER_AREA)
+    share = cv2.resize(known.astype(np.float32), size, interpolation=cv2.INTER_AREA)
+    mean = total / np.maximum(share, np.float32(1e-6))
+    return np.where(share > 0.5, mean, np.float32(np.nan)).astype(np.float32)
 
 
 def _span(values: NDArray[np.float32]) -> tuple[float, float]:

@@ -24,14 +24,14 @@ from reliefscope.microscope.places import fresh_path
 from reliefscope.microscope.stored import StoredRun, open_run
 from reliefscope.models.calibration import Calibration
 from reliefscope.models.instrument import InstrumentProfile
-from reliefscope.models.plan import Plan, all_leds, pattern_apertures
+from reliefscope.models.plan import Light, Plan, pattern_apertures
 from reliefscope.report.z_calibration import plot_z_scale
 
 STAGE_FIELD = "{stage_um}"
 """What an address holds where the stage moves by itself; it stands for the height in um."""
 SCHEMA_VERSION = 1
-_LIGHT_FRACTION = 2.0
-"""All LEDs together shine as bright as two."""
+_LEDS = 4
+"""A flat target needs light from several sides, not every LED; together they shine as bright as two."""
 _SETTLE_FACTOR = 2.0
 """Each view has one frame only, taken right after the glass has switched: what is left of the view before would pull
 its direction toward that one, by a few parts in a thousand after the usual wait."""
@@ -74,10 +74,13 @@ class ZCalibration:
 
 
 def stage_plan(profile: InstrumentProfile) -> Plan:
-    """What a flat target needs: every view of the pattern under all LEDs together."""
+    """What a flat target needs: every view of the pattern under a few LEDs together."""
+    count = profile.dome.count
+    level = round(profile.dome.full_level * min(1.0, 2 / min(count, _LEDS)))
+    lit = range(0, count, max(1, count // _LEDS))
     return Plan(
         views=pattern_apertures(profile),
-        lights=(all_leds(profile, _LIGHT_FRACTION / profile.dome.count),),
+        lights=(Light(name="several", levels=dict.fromkeys(lit, level)),),
         exposure_us=round(profile.exposure_ms * 1000),
         settle_ms=_SETTLE_FACTOR * profile.glass.settle_ms,
     )
