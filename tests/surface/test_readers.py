@@ -1,5 +1,7 @@
 """Readers of height maps: files that we write here, and real ones of instruments."""
 
+import sys
+
 import numpy as np
 import pytest
 import x3pio
@@ -60,7 +62,6 @@ def test_what_cannot_be_read_is_refused_with_what_can(tmp_path):
         ("a.x3p", b"no archive", "could not be read as .x3p"),
         ("a.npz", b"no archive", "could not be read as .npz"),
         ("a.tif", b"no picture", "could not be read as .tif"),
-        ("a.sur", b"no surface", "could not be read as .sur"),
     ):
         (tmp_path / name).write_bytes(content)
         with pytest.raises(InvalidInputError, match=said) as caught:
@@ -108,11 +109,22 @@ def test_real_maps_of_instruments():
     assert np.abs(ours[::-1] - theirs).max() < 1e-6
 
 
-def test_a_vendor_file_is_read_where_its_library_is_installed():
+def test_without_its_library_a_vendor_file_is_refused_with_what_to_install(tmp_path, monkeypatch):
+    monkeypatch.setitem(sys.modules, "SurfaceTopography", None)
+    (tmp_path / "a.sur").write_bytes(b"no surface")
+    with pytest.raises(InvalidInputError, match="need the package") as caught:
+        read_height_map(tmp_path / "a.sur")
+    assert "pip install" in caught.value.hint
+
+
+def test_a_vendor_file_is_read_where_its_library_is_installed(tmp_path):
     folder = shared_data("surface_heightmaps")
     pytest.importorskip(
         "SurfaceTopography", reason="SurfaceTopography is not installed", exc_type=ImportError
     )
+    (tmp_path / "a.sur").write_bytes(b"no surface")
+    with pytest.raises(InvalidInputError, match="could not be read as .sur"):
+        read_height_map(tmp_path / "a.sur")
     height_map = read_height_map(folder / "sur-2.sur").levelled()
     reference = read_height_map(folder / "sur-2_um.npz")
     assert height_map.pixel_um == pytest.approx(reference.pixel_um, rel=1e-6)

@@ -151,7 +151,7 @@ def _read_vendor(path: Path) -> _Raw:
     except ImportError as error:
         raise InvalidInputError(
             f"Files of the kind `{path.suffix.lower()}` need the package SurfaceTopography.",
-            hint="Type `pip install "reliefscope[surfaces]"`, or export the measurement as X3P.",
+            hint="Type `pip install 'reliefscope[surfaces]'`, or export the measurement as X3P.",
         ) from error
     topography = read_topography(str(path))
     if topography.dim != 2 or topography.unit is None:
