@@ -16,8 +16,8 @@ from reliefscope.units import FloatImage
 
 SCALE = 0.03
 WIDTH_EXPONENT = 2.0
-ROUGHNESS_EXPONENT = 0.4
-"""Standard error in um per um of width and of roughness, to these powers."""
+ROUGHNESS_EXPONENTS = (0.4, 0.6)
+"""Standard error in um per um of width and of roughness near and far, to these powers."""
 WINDOWS = (5, 9)
 """Windows of the roughness in samples: about that of matching, and one that sees a step from either side."""
 LEAST_ROUGHNESS_UM = 0.05
@@ -60,6 +60,11 @@ def standard_error(
     near, far = (np.maximum(roughness(filled, window), LEAST_ROUGHNESS_UM) for window in WINDOWS)
     with np.errstate(divide="ignore", invalid="ignore"):
         width = np.sqrt((1.0 + softness - peak) / np.maximum(curvature, 0.0))
-        sigma = SCALE * width**WIDTH_EXPONENT * (near * far) ** ROUGHNESS_EXPONENT
+        sigma = (
+            SCALE
+            * width**WIDTH_EXPONENT
+            * near ** ROUGHNESS_EXPONENTS[0]
+            * far ** ROUGHNESS_EXPONENTS[1]
+        )
     sigma[~known] = GREATEST_UM
     return np.asarray(np.fmin(sigma, GREATEST_UM), dtype=np.float32)
