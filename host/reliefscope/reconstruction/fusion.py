@@ -22,7 +22,7 @@ from reliefscope import axes
 from reliefscope.errors import InvalidInputError
 from reliefscope.jobs import Job, ensure_job
 from reliefscope.reconstruction import conjugate_gradients
-from reliefscope.reconstruction.systems import ForwardSystem, SobelSystem, System
+from reliefscope.reconstruction.systems import SobelSystem, System, forward_system
 from reliefscope.units import FloatImage
 
 LAMBDA_RAD_PER_UM = 0.05
@@ -178,7 +178,7 @@ def build_system(
     upright = np.where(usable[..., None], normals, np.array([0.0, 0.0, 1.0]))
     slope_x, slope_y = axes.gradient_from_normals(upright)
     if derivative == "forward":
-        return ForwardSystem(hold, target_um, slope_x, slope_y, weight, pixel_um)
+        return forward_system(hold, target_um, slope_x, slope_y, weight, pixel_um)
     stabiliser = STABILISER if derivative == "sobel_stabilised" else 0.0
     return SobelSystem(hold, target_um, slope_x, slope_y, weight, pixel_um, stabiliser)
 

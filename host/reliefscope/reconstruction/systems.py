@@ -21,6 +21,7 @@ number by 1 + 1 / e.
 
 from __future__ import annotations
 
+import copy
 import math
 from typing import Any, Protocol
 
@@ -32,6 +33,10 @@ from reliefscope.reconstruction.multigrid import Multigrid
 
 Field = NDArray[np.float64]
 Slopes = NDArray[np.floating[Any]]
+Springs = NDArray[np.floating[Any]]
+
+_BLOCK = 32
+"""Side in pixels of the blocks over which the least held part of a surface is sought."""
 
 
 class System(Protocol):
@@ -108,7 +113,7 @@ class SobelSystem:
             _add_rises(self.right, across, down)
             self._weak_across = stabiliser * self._across
             self._weak_down = stabiliser * self._down
-        self.softness = _softness(hold, weight)
+        self.softness = _softness(hold, float(weight.mean()))
 
     def apply(self, z: Field, out: Field) -> None:
         """Normal operator ``hold + Tx' Q^2 Tx + Ty' Q^2 Ty`` plus the stabiliser, at ``z``."""
@@ -127,35 +132,51 @@ class SobelSystem:
         return Multigrid(self._hold, factor * self._across, factor * self._down)
 
 
-class ForwardSystem:
-    """Eq. 12 with the difference of two neighbours, asked for the slope of either, half each.
+class SpringSystem:
+    """Neighbours joined by springs of a weight and a wanted rise each, and pixels held at heights.
 
-    Nothing but a constant is invisible to it, and it has the fewest unknowns per equation: the
-    sharpest and fastest form, and the one that hands a wrong slope at an edge on least forgivingly.
-    Parameters as of :class:`SobelSystem`.
+    Nothing but a constant is invisible to it, and it has the fewest unknowns per equation.
+
+    Parameters
+    ----------
+    hold:
+        (H, W) squared weights of the heights.
+    target_um:
+        (H, W) heights to hold; finite everywhere.
+    across, down:
+        (H, W-1) and (H-1, W) squared weights of the springs, per um^2.
+    rise_across, rise_down:
+        Height by which the right end should lie above the left, and the lower above the upper, um.
     """
 
     def __init__(
         self,
-        hold: Field,
-        target_um: Field,
-        slope_x: Slopes,
-        slope_y: Slopes,
-        quality: Slopes,
-        pixel_um: float,
+        hold: Springs,
+        target_um: Springs,
+        across: Springs,
+        down: Springs,
+        rise_across: Springs,
+        rise_down: Springs,
     ) -> None:
-        self._hold = hold
-        weight = quality.astype(np.float64) ** 2 / pixel_um**2
-        rise_x = weight * slope_x * pixel_um
-        rise_y = weight * slope_y * pixel_um
-        self._across = 0.5 * (weight[:, 1:] + weight[:, :-1])
-        self._down = 0.5 * (weight[1:] + weight[:-1])
-        self.right = hold * target_um
-        # the row below lies lower in y
-        _add_rises(
-            self.right, 0.5 * (rise_x[:, 1:] + rise_x[:, :-1]), -0.5 * (rise_y[1:] + rise_y[:-1])
+        self._hold, self._across, self._down = (
+            np.ascontiguousarray(weights, np.float64) for weights in (hold, across, down)
         )
-        self.softness = _softness(hold, weight)
+        springs = float(self._across.mean() + self._down.mean()) / 2
+        self.softness = _softness(self._hold, springs)
+        self._multigrid: Multigrid | None = None
+        self.right: Field = self._hold * target_um
+        _add_rises(self.right, self._across * rise_across, self._down * rise_down)
+
+    def drawn(self, generator: np.random.Generator) -> SpringSystem:
+        """The same springs with a right-hand side drawn at random: of covariance A, so its solution has A^-1."""
+        sample = copy.copy(self)
+        sample.right = np.sqrt(self._hold) * generator.standard_normal(self._hold.shape)
+        pulls = (
+            np.sqrt(springs) * generator.standard_normal(springs.shape)
+            for springs in (self._across, self._down)
+        )
+        _add_rises(sample.right, *pulls)
+        return sample
 
     def apply(self, z: Field, out: Field) -> None:
         """Springs between neighbours plus ``hold``, at ``z``."""
@@ -168,7 +189,44 @@ class ForwardSystem:
 
     def preconditioner(self) -> Multigrid:
         """Multigrid of the very same springs."""
-        return Multigrid(self._hold, self._across, self._down)
+        if self._multigrid is None:
+            self._multigrid = Multigrid(self._hold, self._across, self._down)
+        return self._multigrid
+
+
+def forward_system(
+    hold: Field,
+    target_um: Field,
+    slope_x: Slopes,
+    slope_y: Slopes,
+    quality: Slopes,
+    pixel_um: float,
+) -> SpringSystem:
+    """Eq. 12 with the difference of two neighbours, asked for the slope of either, half each.
+
+    The sharpest and fastest form, and the one that hands a wrong slope at an edge on least forgivingly.
+    Parameters as of :class:`SobelSystem`.
+    """
+    weight = quality.astype(np.float64) ** 2 / pixel_um**2
+    across = 0.5 * (weight[:, 1:] + weight[:, :-1])
+    down = 0.5 * (weight[1:] + weight[:-1])
+    # the row below lies lower in y
+    return SpringSystem(
+        hold,
+        target_um,
+        across,
+        down,
+        _weighted_mean(weight, slope_x * pixel_um, across, 1),
+        _weighted_mean(weight, -slope_y * pixel_um, down, 0),
+    )
+
+
+def _weighted_mean(weight: Field, rise: Slopes, springs: Field, axis: int) -> Field:
+    """Rise of each spring along an axis: mean over its two ends by weight; 0 where nothing joins them."""
+    moment = weight * rise
+    ends = moment[:, 1:] + moment[:, :-1] if axis else moment[1:] + moment[:-1]
+    mean: Field = np.divide(0.5 * ends, springs, out=np.zeros_like(springs), where=springs > 0.0)
+    return mean
 
 
 def _spread_across(values: Field) -> Field:
@@ -200,7 +258,15 @@ def _touched(hold: Field, across: Field, down: Field) -> NDArray[np.bool_]:
     return held
 
 
-def _softness(hold: Field, weight: Field) -> float:
-    """Energy per um^2 and pixel of the softest smooth mode: held by heights, or a half wave of slopes."""
-    wave: float = (math.pi / max(hold.shape)) ** 2 * float(weight.mean())
-    return max(float(hold.mean()), wave)
+def _softness(hold: Field, spring: float) -> float:
+    """Energy per um^2 and pixel of the softest smooth mode: held by heights, or a half wave of slopes.
+
+    Where heights hold some parts far less than others, the parts that are held least decide: the harmonic mean
+    over blocks, which amounts to as much energy in each.
+    """
+    wave = (math.pi / max(hold.shape)) ** 2 * spring
+    rows, columns = (min(side, _BLOCK) for side in hold.shape)
+    cropped = hold[: hold.shape[0] // rows * rows, : hold.shape[1] // columns * columns]
+    blocks = cropped.reshape(cropped.shape[0] // rows, rows, -1, columns).mean(axis=(1, 3))
+    held = blocks + wave
+    return float(1.0 / np.mean(1.0 / held)) if held.min() > 0.0 else float(held.mean())
