@@ -41,26 +41,11 @@ class Darkroom:
         """The picture (H, W) that the sensor took: the same one for the same exposure, bit for bit."""
         key = (self._url.seed, exposure.glass_key, exposure.light_key, exposure.repeat)
         exposure_s = exposure.exposure_us / US_PER_S
+        gain = 10 ** (exposure.gain_db / 20)
         with self._lock:
             renderer = self._ready_renderer()
-            if exposure.gain_db == 0.0:
-                raw = renderer.expose(exposure.transmission, exposure.led_energy, exposure_s, key)
-            else:
-                raw = self._amplified(renderer, exposure, exposure_s, key)
+            raw = renderer.expose(exposure.transmission, exposure.led_energy, exposure_s, key, gain)
         return raw[: _rows_kept(exposure.kept, raw.shape[0])]
-
-    def _amplified(
-        self, renderer: Renderer, exposure: Exposure, exposure_s: float, key: tuple[int, ...]
-    ) -> RawImage:
-        """Gain g: the converter's full scale stands at 1/g of the full well; electrons and their noise are the same."""
-        from reliefscope_sim.sensor import Sensor
-
-        gain = 10 ** (exposure.gain_db / 20)
-        camera = self._profile.camera
-        electrons = camera.full_well_electrons / gain
-        sensor = Sensor(camera.model_copy(update={"full_well_electrons": electrons}))
-        signal = renderer.signal(exposure.transmission, gain * exposure.led_energy)
-        return sensor.expose(signal, exposure_s, key)
 
     def _ready_renderer(self) -> Renderer:
         if self._renderer is None:
@@ -78,7 +63,8 @@ class Darkroom:
             )
             scene = lifted(scene, self._url.stage_um)
             as_built = self._url.load_as_built(self._profile)
-            self._renderer = Renderer(self._profile, scene, as_built, self._profile.shape)
+            flaws = self._url.load_flaws(self._profile)
+            self._renderer = Renderer(self._profile, scene, as_built, flaws=flaws)
         return self._renderer
 
 

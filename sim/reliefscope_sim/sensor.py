@@ -11,10 +11,10 @@ from scipy.special import ndtri
 
 from reliefscope.models.instrument import CameraModel
 from reliefscope.units import FloatImage, RawImage
+from reliefscope_sim.flaws import SensorFlaws
 
 RGB_RESPONSE = (0.9, 1.0, 0.8)
 """Response of red, green and blue pixels to the white LEDs, relative to a mono pixel."""
-DARK_ELECTRONS_PER_S = 5.0
 _TABLE_BITS = 12
 _WORD = (1 << 64) - 1
 
@@ -23,8 +23,11 @@ _WORD = (1 << 64) - 1
 def _develop(
     signal: FloatImage,
     response: FloatImage,
+    gain: FloatImage,
+    dark: FloatImage,
     full_well: float,
-    dark_electrons: float,
+    amplification: float,
+    exposure: float,
     read_variance: float,
     black_counts: float,
     full_scale: float,
@@ -34,16 +37,18 @@ def _develop(
 ) -> None:
     """Counts of a signal (fraction of the full well at unit response); noise from a counter per pixel.
 
+    ``gain`` and ``dark`` are the maps of :class:`~reliefscope_sim.flaws.SensorFlaws`.
+
     A hash of (key, pixel index) gives 24 bits, two entries of the table ``normal`` of Gaussian quantiles,
     whose scaled sum is Gaussian to 5 standard deviations.
     """
     rows, columns = signal.shape
     well = np.float32(full_well)
-    dark = np.float32(dark_electrons)
+    seconds = np.float32(exposure)
     floor = np.float32(read_variance)
     black = np.float32(black_counts)
     top = np.float32(full_scale)
-    gain = top / well
+    per_electron = top / well * np.float32(amplification)
     mask = np.uint64((1 << _TABLE_BITS) - 1)
     half = np.float32(math.sqrt(0.5))
     for row in prange(rows):
@@ -53,9 +58,10 @@ def _develop(
             word = (word ^ (word >> np.uint64(27))) * np.uint64(0x94D049BB133111EB)
             word ^= word >> np.uint64(31)
             draw = normal[word & mask] + normal[(word >> np.uint64(_TABLE_BITS)) & mask]
-            electrons = signal[row, column] * response[row & 1, column & 1] * well + dark
+            light = signal[row, column] * response[row & 1, column & 1] * gain[row, column]
+            electrons = light * well + dark[row, column] * seconds
             electrons += math.sqrt(max(electrons, np.float32(0.0)) + floor) * half * draw
-            value = min(electrons, well) * gain + black + np.float32(0.5)
+            value = min(electrons, well) * per_electron + black + np.float32(0.5)
             counts[row, column] = np.uint16(min(max(value, np.float32(0.0)), top))
 
 
@@ -66,8 +72,9 @@ class Sensor:
     comes on top).  Noise is keyed: the same key gives the same frame whatever the number of threads.
     """
 
-    def __init__(self, camera: CameraModel) -> None:
+    def __init__(self, camera: CameraModel, flaws: SensorFlaws) -> None:
         self._camera = camera
+        self._flaws = flaws
         self._response: FloatImage = np.ones((2, 2), dtype=np.float32)
         if camera.sensor == "bayer_rggb":
             red, green, blue = RGB_RESPONSE
@@ -76,15 +83,28 @@ class Sensor:
         table = ndtri((np.arange(size) + 0.5) / size)
         self._normal: FloatImage = (table / table.std()).astype(np.float32)
 
-    def expose(self, signal: FloatImage, exposure_s: float, noise_key: tuple[int, ...]) -> RawImage:
-        """Raw frame (H, W), uint8 or uint16, of a signal (H, W)."""
+    def expose(
+        self,
+        signal: FloatImage,
+        exposure_s: float,
+        noise_key: tuple[int, ...],
+        gain: float = 1.0,
+    ) -> RawImage:
+        """Raw frame (H, W), uint8 or uint16, of a signal (H, W), the shape of the maps of flaws.
+
+        With ``gain`` the converter's full scale stands at 1/gain of the full well; electrons and their noise are the
+        same.
+        """
         camera = self._camera
         counts = np.empty(signal.shape, dtype=np.uint16)
         _develop(
             signal,
             self._response,
+            self._flaws.gain,
+            self._flaws.dark_electrons_per_s,
             camera.full_well_electrons,
-            DARK_ELECTRONS_PER_S * exposure_s,
+            gain,
+            exposure_s,
             camera.read_noise_electrons**2,
             camera.black_level * camera.full_scale,
             camera.full_scale,

@@ -23,6 +23,7 @@ from reliefscope_sim.as_built import AsBuilt
 from reliefscope_sim.clock import TimeMode
 from reliefscope_sim.display import Mounting
 from reliefscope_sim.faults import Faults
+from reliefscope_sim.flaws import FlawLevels, SensorFlaws
 from reliefscope_sim.liquid_crystal import ROOM_C, TEMPERATURE_RANGE_C
 from reliefscope_sim.recording import Recording
 
@@ -49,6 +50,10 @@ KEYS = {
     "temperature": "of the glass in degrees Celsius (default: 25)",
     "led_droop": "part of an LED's light that is lost when it is warm (default: 0)",
     "bits": "depth of the camera's pixels, 8, 10 or 12 (default: the profile's)",
+    "shading": "part of the light that is lost in the camera's furthest corner (default: 0.04)",
+    "dust": "specks on the camera's sensor (default: 3)",
+    "dust_px": "mean diameter of the specks in pixels (default: 24)",
+    "hot_pixels": "pixels per million with much dark current (default: 50)",
     "replay": "bundle or wire log that is played when the instrument is switched on",
     "fault": "what goes wrong, as in fault=link_loss:0.05,camera_drop:3",
 }
@@ -77,6 +82,7 @@ class SimUrl:
     temperature_c: float = ROOM_C
     led_droop: float = 0.0
     bits: Literal[8, 10, 12] | None = None
+    flaws: FlawLevels = field(default_factory=FlawLevels)
     replay: str | None = None
     faults: Faults = field(default_factory=Faults)
     given: tuple[tuple[str, str], ...] = ()
@@ -169,6 +175,7 @@ class SimUrl:
             temperature_c=_within("temperature", options, TEMPERATURE_RANGE_C, ROOM_C),
             led_droop=_within("led_droop", options, (0.0, 0.5), 0.0),
             bits=cast(Literal[8, 10, 12] | None, bits),
+            flaws=_flaws(options),
             faults=Faults.parse(options.get("fault", ""), seed),
             given=tuple(sorted(given.items())),
         )
@@ -186,13 +193,15 @@ class SimUrl:
 
     @property
     def camera_serial(self) -> str:
-        """Serial number of the camera, which tells apart what else decides the pixels: scene, stage and seed.
+        """Serial number of the camera, which tells apart what else decides the pixels: scene, stage, seed and flaws.
 
         A run that was begun with one sample is not continued with another.
         """
         content: tuple[object, ...] = (self.scene, self.scene_options, self.seed)
         if self.stage_um:
             content = (*content, self.stage_um)
+        if self.flaws != FlawLevels():
+            content = (*content, self.flaws)
         return f"{self.device_serial}-{_short_hash(*content)}"
 
     def load_profile(self) -> InstrumentProfile:
@@ -234,6 +243,14 @@ class SimUrl:
             return AsBuilt.nominal(profile)
         return AsBuilt.draw(profile, self.as_built)
 
+    def load_flaws(self, profile: InstrumentProfile) -> SensorFlaws:
+        """What is uneven about the sensor of this address, in the region that ``profile`` reads out.
+
+        It belongs to the camera and stays the same whatever lies under the instrument: ``as_built`` draws it.
+        """
+        whole = load_profile(self.profile).shape
+        return SensorFlaws.draw(whole, self.flaws, self.as_built or 0).region(profile.shape)
+
     def check_agrees(self, later: SimUrl) -> None:
         """Raise InvalidInputError if ``later`` asks the bench of this address for something else."""
         conflicts = [
@@ -250,6 +267,8 @@ class SimUrl:
 
     def _resolved(self, key: str) -> object:
         """What holds for an option, whether it was written or not."""
+        if key in _FLAW_KEYS:
+            return getattr(self.flaws, key)
         if key in _FIELD_OF_KEY:
             return getattr(self, _FIELD_OF_KEY[key])
         return dict(self.scene_options).get(key.removeprefix("scene."))
@@ -258,6 +277,7 @@ class SimUrl:
 _OTHER_FIELDS = {"fault": "faults", "temperature": "temperature_c"}
 _SCENE_KEYS = ("finish", "simulant", "file")
 """Options of scenes that may be written without `scene.`."""
+_FLAW_KEYS = ("shading", "dust", "dust_px", "hot_pixels")
 _FIELD_OF_KEY = {key: _OTHER_FIELDS.get(key, key) for key in KEYS if key not in _SCENE_KEYS}
 
 
@@ -305,6 +325,16 @@ def _within(
             hint=f"Give a number from {low:g} to {high:g}.",
         )
     return value
+
+
+def _flaws(options: dict[str, str]) -> FlawLevels:
+    usual = FlawLevels()
+    return FlawLevels(
+        shading=_within("shading", options, (0.0, 0.9), usual.shading),
+        dust=round(_within("dust", options, (0.0, 1000.0), usual.dust)),
+        dust_px=_within("dust_px", options, (2.0, 500.0), usual.dust_px),
+        hot_pixels=_within("hot_pixels", options, (0.0, 100_000.0), usual.hot_pixels),
+    )
 
 
 def _size(value: str) -> tuple[int, int]:

@@ -1,5 +1,6 @@
 """The sensor: noise statistics, colour, counts; and frames that are the same whatever computes them."""
 
+import cv2
 import numba
 import numpy as np
 import pytest
@@ -7,11 +8,14 @@ from tests.sim import optics_bench as ob
 
 from reliefscope.errors import Cancelled, InvalidInputError
 from reliefscope.jobs import Job
+from reliefscope.models.instrument import load_profile
 from reliefscope_sim.as_built import AsBuilt
+from reliefscope_sim.flaws import PIXEL_SPREAD, FlawLevels, SensorFlaws
 from reliefscope_sim.optics import Renderer
 from reliefscope_sim.optics.cache import ByteCache
 from reliefscope_sim.scenes import load_scene
 from reliefscope_sim.sensor import RGB_RESPONSE, Sensor, fold_key
+from reliefscope_sim.url import SimUrl
 
 CAMERA = ob.profile().camera
 LARGE = (400, 500)
@@ -19,7 +23,7 @@ LARGE = (400, 500)
 
 def frame(level, key=(1, 2, 3), camera=CAMERA):
     signal = np.full(LARGE, level, dtype=np.float32)
-    return Sensor(camera).expose(signal, 0.02, key).astype(float)
+    return Sensor(camera, SensorFlaws.none(LARGE)).expose(signal, 0.02, key).astype(float)
 
 
 @pytest.mark.parametrize("level", [0.0, 0.05, 0.5])
@@ -62,7 +66,9 @@ def test_keys_take_any_whole_numbers_and_their_order_counts():
 def test_counts_saturate_and_fit_their_type():
     assert frame(3.0).min() == CAMERA.full_scale
     eight = CAMERA.model_copy(update={"bit_depth": 8})
-    raw = Sensor(eight).expose(np.full(LARGE, 0.5, dtype=np.float32), 0.02, (1,))
+    raw = Sensor(eight, SensorFlaws.none(LARGE)).expose(
+        np.full(LARGE, 0.5, dtype=np.float32), 0.02, (1,)
+    )
     assert raw.dtype == np.uint8
     assert raw.mean() == pytest.approx(0.5 * 255 + 0.01 * 255, abs=0.5)
 
@@ -172,3 +178,83 @@ def test_a_glass_of_another_size_is_refused():
         renderer.expose(np.ones((10, 10)), ob.one_led(instrument), 0.02, (1,))
     with pytest.raises(InvalidInputError, match="LEDs"):
         renderer.expose(np.ones((64, 128)), np.ones(3), 0.02, (1,))
+
+
+LEVELS = FlawLevels(shading=0.2, dust=5, dust_px=40.0, hot_pixels=300.0)
+SENSOR = (1038, 1388)
+
+
+def test_shading_takes_its_part_from_the_furthest_corner_and_follows_a_square():
+    gain = SensorFlaws.draw(SENSOR, FlawLevels(shading=0.2, dust=0), 4).gain
+    smooth = gain.reshape(519, 2, 694, 2).mean(axis=(1, 3))
+    rows, columns = np.indices(smooth.shape)
+    terms = [np.ones(smooth.size)]
+    terms += [term.ravel() for term in (rows, columns, rows**2 + columns**2)]
+    fit = np.stack(terms, axis=1)
+    coefficients, *_ = np.linalg.lstsq(fit, smooth.ravel(), rcond=None)
+    residual = smooth.ravel() - fit @ coefficients
+    # What the square leaves is the spread of the pixels, averaged over four.
+    assert residual.std() == pytest.approx(smooth.mean() * PIXEL_SPREAD / 2, rel=0.03)
+    model = (fit @ coefficients).reshape(smooth.shape)
+    assert model.min() == pytest.approx(0.8, abs=0.002)
+    assert model.max() == pytest.approx(1.0, abs=0.002)
+
+
+def test_dust_is_as_many_specks_of_the_size_that_was_asked_for():
+    levels = FlawLevels(shading=0.0, dust=1, dust_px=40.0)
+    for seed in range(4):
+        gain = SensorFlaws.draw(SENSOR, levels, seed).gain
+        speck = cv2.blur(1 - gain, (9, 9)) > 0.005
+        rows, columns = np.nonzero(speck)
+        assert 8 < np.ptp(rows) < 56
+        assert 8 < np.ptp(columns) < 56
+        assert 0.01 < 1 - cv2.blur(gain, (9, 9)).min() < 0.085
+    clean = SensorFlaws.draw(SENSOR, FlawLevels(shading=0.0, dust=0), 1).gain
+    assert not (cv2.blur(1 - clean, (9, 9)) > 0.005).any()
+
+
+def test_hot_pixels_grow_with_exposure_and_go_with_the_dark_frame():
+    flaws = SensorFlaws.draw(SENSOR, LEVELS, 2)
+    hot = flaws.dark_electrons_per_s > 100
+    assert hot.sum() == pytest.approx(300e-6 * hot.size, rel=0.25)
+    sensor = Sensor(CAMERA.model_copy(update={"read_noise_electrons": 0.0}), flaws)
+    per_electron = CAMERA.full_scale / CAMERA.full_well_electrons
+    dark = np.zeros(SENSOR, dtype=np.float32)
+    black = CAMERA.black_level * CAMERA.full_scale
+    for exposure_s in (0.02, 0.2):
+        electrons = (sensor.expose(dark, exposure_s, (1,))[hot] - black) / per_electron
+        expected = flaws.dark_electrons_per_s[hot] * exposure_s
+        kept = expected < 0.8 * CAMERA.full_well_electrons
+        noise = (electrons - expected)[kept] / np.sqrt(expected[kept] + 5.0)
+        assert abs(noise.mean()) < 0.3
+        assert noise.std() == pytest.approx(1.0, abs=0.15)
+    light = np.full(SENSOR, 0.3, dtype=np.float32)
+    difference = sensor.expose(light, 0.02, (1,)).astype(float) - sensor.expose(dark, 0.02, (2,))
+    bright = flaws.gain[hot] * 0.3 * CAMERA.full_scale
+    assert np.median(difference[hot] / bright) == pytest.approx(1.0, abs=0.02)
+
+
+def test_a_camera_keeps_its_flaws_and_a_region_shows_those_of_the_middle():
+    one, again, other = (SensorFlaws.draw(SENSOR, LEVELS, seed) for seed in (3, 3, 4))
+    assert np.array_equal(one.gain, again.gain)
+    assert np.array_equal(one.dark_electrons_per_s, again.dark_electrons_per_s)
+    assert not np.array_equal(one.gain, other.gain)
+    middle = one.region((96, 128))
+    assert np.array_equal(middle.gain, one.gain[471:567, 630:758])
+    even = SensorFlaws.none((3, 4))
+    assert (even.gain == 1).all()
+
+
+def test_flaws_of_an_address_are_those_of_its_camera():
+    url = SimUrl.parse("sim://benchtop?size=128x96&shading=0.3&dust=0&hot_pixels=0")
+    profile = url.load_profile()
+    flaws = url.load_flaws(profile)
+    assert flaws.gain.shape == profile.shape
+    assert (flaws.dark_electrons_per_s == 5.0).all()
+    whole = url.load_flaws(load_profile("benchtop"))
+    assert whole.gain.min() == pytest.approx(0.7, abs=0.02)
+    usual = SimUrl.parse("sim://benchtop?size=128x96")
+    assert usual.camera_serial != url.camera_serial
+    assert usual.device_serial == url.device_serial
+    with pytest.raises(InvalidInputError, match="shading=2"):
+        SimUrl.parse("sim://benchtop?shading=2")

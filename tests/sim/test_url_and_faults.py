@@ -6,6 +6,7 @@ from tests.support import REPOSITORY
 from reliefscope.errors import InvalidInputError
 from reliefscope_sim.display import Mounting
 from reliefscope_sim.faults import KNOWN, Faults, FaultyWire, Place
+from reliefscope_sim.flaws import FlawLevels
 from reliefscope_sim.url import KEYS, SimUrl
 
 
@@ -20,7 +21,7 @@ def test_every_option():
         "sim://benchtop?scene=plane&scene.tilt_deg=10&finish=dull&seed=5&as_built=9&size=96x72"
         "&time=real&glass=E&mounting=top_view&fault=camera_drop:3&fault=link_loss:0.5"
         "&calibration=nominal&profile=benchtop&contrast=12&temperature=-5&led_droop=0.05&bits=8"
-        "&stage_um=-12.5&simulant=ds1&file=ground.x3p"
+        "&stage_um=-12.5&simulant=ds1&file=ground.x3p&shading=0.1&dust=8&dust_px=12.5&hot_pixels=0"
     )
     assert {key for key, _ in url.given} - {"scene.tilt_deg"} == set(KEYS) - {"replay"}
     assert (url.scene, url.seed, url.as_built, url.size) == ("plane", 5, 9, (96, 72))
@@ -39,6 +40,7 @@ def test_every_option():
     assert profile.glass.variant == "E"
     assert (profile.glass.contrast_ratio, profile.camera.bit_depth) == (12, 8)
     assert (url.temperature_c, url.led_droop, url.stage_um) == (-5, 0.05, -12.5)
+    assert url.flaws == FlawLevels(shading=0.1, dust=8, dust_px=12.5, hot_pixels=0)
 
 
 def test_positive_glass_has_less_contrast_than_negative():

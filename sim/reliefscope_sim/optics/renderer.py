@@ -19,6 +19,7 @@ from reliefscope.jobs import Job, ensure_job
 from reliefscope.models.instrument import InstrumentProfile
 from reliefscope.units import FloatArray, FloatImage, RawImage
 from reliefscope_sim.as_built import AsBuilt
+from reliefscope_sim.flaws import SensorFlaws
 from reliefscope_sim.optics.cache import ByteCache
 from reliefscope_sim.optics.lighting import Lighting, LitSurface
 from reliefscope_sim.optics.pupil import Pupil, PupilPoints
@@ -49,7 +50,7 @@ class Renderer:
     """Frames of one scene seen by one instrument as it was really built.
 
     ``shape`` is (rows, columns) of the frames, the profile's where absent.  Geometry, lighting and images
-    are computed when first needed and kept within ``cache_mb`` megabytes.
+    are computed when first needed and kept within ``cache_mb`` megabytes.  Without ``flaws`` the sensor is even.
     """
 
     def __init__(
@@ -59,6 +60,7 @@ class Renderer:
         as_built: AsBuilt,
         shape: tuple[int, int] | None = None,
         cache_mb: int = 560,
+        flaws: SensorFlaws | None = None,
     ) -> None:
         self.profile = profile
         self.shape = shape or profile.shape
@@ -83,7 +85,7 @@ class Renderer:
         self._lit: ByteCache[LitSurface] = ByteCache(sizes[2], lambda lit: lit.nbytes)
         self._images: ByteCache[FloatImage] = ByteCache(sizes[3], lambda image: image.nbytes)
         self._wide_images: ByteCache[FloatImage] = ByteCache(sizes[4], lambda image: image.nbytes)
-        self._sensor = Sensor(profile.camera)
+        self._sensor = Sensor(profile.camera, flaws or SensorFlaws.none(self.shape))
         self._signal_per_mm2_s = signal_per_mm2_s(profile)
 
     def prepare(self, job: Job | None = None) -> None:
@@ -100,6 +102,7 @@ class Renderer:
         led_energy: FloatArray,
         exposure_s: float,
         noise_key: tuple[int, ...],
+        gain: float = 1.0,
     ) -> RawImage:
         """One raw frame (H, W).
 
@@ -113,9 +116,11 @@ class Renderer:
             Length of the exposure.
         noise_key:
             Names the noise: the same key gives the same noise.
+        gain:
+            Amplification of the camera.
         """
         signal = self.signal(pixel_transmission, led_energy)
-        return self._sensor.expose(signal, exposure_s, noise_key)
+        return self._sensor.expose(signal, exposure_s, noise_key, gain)
 
     def signal(self, pixel_transmission: FloatArray, led_energy: FloatArray) -> FloatImage:
         """The frame (H, W) without noise, as a fraction of full scale at unit response; see :meth:`expose`."""
