@@ -1,13 +1,26 @@
-"""Standard error of matched heights: what widens it."""
+"""Standard error of matched heights: roughness against least squares, and what widens it."""
 
 import numpy as np
 from tests.reconstruction import scenes
 
 from reliefscope.reconstruction.joint import match_jointly
-from reliefscope.reconstruction.matching_error import GREATEST_UM, standard_error
+from reliefscope.reconstruction.matching_error import GREATEST_UM, roughness, standard_error
 
 SHAPE = (128, 160)
 INSIDE = np.s_[24:-24, 24:-24]
+
+
+def test_roughness_is_the_residual_to_the_best_plane() -> None:
+    rng = np.random.default_rng(1)
+    rows, cols = np.mgrid[:20, :24]
+    height = (40 + 3.0 * rows - 2.0 * cols + rng.normal(0, 0.5, rows.shape)).astype(np.float32)
+    found = roughness(height, 5)
+    for r, c in ((8, 9), (10, 15)):
+        part = height[r - 2 : r + 3, c - 2 : c + 3].astype(np.float64).ravel()
+        y, x = np.mgrid[-2:3, -2:3]
+        basis = np.stack([np.ones(25), y.ravel(), x.ravel()], axis=1)
+        fit = basis @ np.linalg.lstsq(basis, part, rcond=None)[0]
+        assert abs(found[r, c] - np.sqrt(np.mean((part - fit) ** 2))) < 1e-3
 
 
 def test_missing_and_flat_peaks_know_nothing_and_spare_their_surroundings() -> None:

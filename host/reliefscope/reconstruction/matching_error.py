@@ -9,9 +9,9 @@ simulated instrument (docs/explanation/default-method.md tells scenes and covera
 
 from __future__ import annotations
 
+import cv2
 import numpy as np
 
-from reliefscope.reconstruction.local_planes import fit_planes
 from reliefscope.units import FloatImage
 
 SCALE = 0.03
@@ -23,6 +23,20 @@ WINDOWS = (5, 9)
 LEAST_ROUGHNESS_UM = 0.05
 GREATEST_UM = 50.0
 """Standard error at which nothing is known."""
+
+
+def roughness(height_um: FloatImage, window: int) -> FloatImage:
+    """RMS deviation (H, W) of the heights in an odd window from the plane that fits them best."""
+    reach = window // 2
+    offsets = np.arange(-reach, reach + 1, dtype=np.float32)
+    spread = float(np.mean(offsets**2))
+    ramp = np.tile(offsets, (window, 1)) / np.float32(spread * window**2)
+    z = height_um - np.float32(height_um.mean(dtype=np.float64))
+    mean = cv2.blur(z, (window, window))
+    along = cv2.filter2D(z, -1, ramp)
+    down = cv2.filter2D(z, -1, np.ascontiguousarray(ramp.T))
+    variance = cv2.blur(z * z, (window, window)) - mean**2 - spread * (along**2 + down**2)
+    return np.asarray(np.sqrt(np.maximum(variance, 0.0)), dtype=np.float32)
 
 
 def standard_error(
@@ -43,9 +57,7 @@ def standard_error(
     filled = np.where(
         known, height_um, np.float32(np.median(height_um[known]) if known.any() else 0)
     )
-    near, far = (
-        np.maximum(fit_planes(filled, window).residual, LEAST_ROUGHNESS_UM) for window in WINDOWS
-    )
+    near, far = (np.maximum(roughness(filled, window), LEAST_ROUGHNESS_UM) for window in WINDOWS)
     with np.errstate(divide="ignore", invalid="ignore"):
         width = np.sqrt((1.0 + softness - peak) / np.maximum(curvature, 0.0))
         sigma = (
