@@ -24,7 +24,8 @@ JSON_SCHEMA_VERSION = 1
 
 app = typer.Typer(
     name="sim",
-    help="Serve the simulated instrument to other programs; play recorded sessions again; photograph its sample.",
+    help="Serve the simulated instrument to other programs; play recorded sessions again; photograph its sample, "
+    "or tell the truth about it.",
     no_args_is_help=True,
 )
 
@@ -169,6 +170,36 @@ def z_stack(
         typer.echo(json.dumps(content, indent=2))
     else:
         typer.echo(f"{len(stack.planes)} images in {out}\nNext: reliefscope focus-stack {out}")
+
+
+@app.command("truth")
+def truth(
+    out: Annotated[
+        Path, typer.Option("--out", "-o", metavar="FILE.npz", help="New file for the maps.")
+    ],
+    url: Annotated[
+        str, typer.Argument(metavar="URL", help="Instrument whose sample is meant, sim://NAME?...")
+    ] = "sim://benchtop?scene=fiducial",
+    grains: Annotated[
+        Path | None,
+        typer.Option("--grains", metavar="FILE.csv", help="New file for a table of the grains."),
+    ] = None,
+) -> None:
+    """Write what really lies under the instrument, on the grid of its frames: heights, reflectance, grains.
+
+    The maps are a height map too: `scene=heightmap&file=FILE.npz` puts it under an instrument again.
+    """
+    from reliefscope_sim.truth import Truth
+
+    found = Truth.under(url)
+    found.save(out, grains)
+    height_um = found.scene.height_um
+    typer.echo(
+        f"{height_um.shape[1]} x {height_um.shape[0]} px of {found.scene.pixel_um:g} um, heights "
+        f"{height_um.min():.1f} to {height_um.max():.1f} um: {out}"
+    )
+    if grains is not None:
+        typer.echo(f"{len(found.grains)} grains: {grains}")
 
 
 def _save(url: str, folder: Path) -> dict[str, str]:

@@ -212,8 +212,8 @@ def test_a_ball_that_is_dropped_on_the_plate_stays_where_it_fell_and_a_tall_grai
     on_edge = np.array([[0.0, 0.0, 1.0], [1.0, 0.0, 0.0], [0.0, 1.0, 0.0]]).T
     tilted = on_edge @ np.array([[1, 0, 0], [0, 0.94, -0.34], [0, 0.34, 0.94]])
     loose = [
-        LooseGrain(ball, 20.0, 0, (-80.0, 0.0), np.eye(3)),
-        LooseGrain(slab, 20.0, 0, (80.0, 0.0), tilted),
+        LooseGrain(ball, 20.0, 0, "ball", (-80.0, 0.0), np.eye(3)),
+        LooseGrain(slab, 20.0, 0, "slab", (80.0, 0.0), tilted),
     ]
     heap = pour(generator, loose, SHAPE, PITCH, RIM_UM)
     fallen_ball, fallen_slab = heap.grains

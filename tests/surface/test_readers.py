@@ -123,7 +123,7 @@ def test_a_vendor_file_is_read_where_its_library_is_installed(tmp_path):
         "SurfaceTopography", reason="SurfaceTopography is not installed", exc_type=ImportError
     )
     (tmp_path / "a.sur").write_bytes(b"no surface")
-    with pytest.raises(InvalidInputError, match="could not be read as .sur"):
+    with pytest.raises(InvalidInputError, match="could not be read as"):
         read_height_map(tmp_path / "a.sur")
     height_map = read_height_map(folder / "sur-2.sur").levelled()
     reference = read_height_map(folder / "sur-2_um.npz")

@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from dataclasses import replace
+
 import numpy as np
 from numpy.typing import NDArray
 
@@ -71,7 +73,7 @@ def _heap(
 
 def _lowered(grain: Grain, by_um: float) -> Grain:
     x, y, z = grain.centre_um
-    return Grain(grain.shape, grain.radius_um, (x, y, z - by_um), grain.rotation, grain.kind)
+    return replace(grain, centre_um=(x, y, z - by_um))
 
 
 def _table(values: list[float] | list[Colour]) -> FloatImage:

@@ -27,7 +27,7 @@ class Grain:
 
     ``radius_um`` is that of a sphere of the same volume, ``centre_um`` (x, y, z) its centre of mass in the
     world frame, ``rotation`` (3, 3) turns its principal axes (columns: long, middle, short) into the world's.
-    ``kind`` is its place in the list of materials that the heap was made of.
+    ``kind`` is the number of its material in the recipe of the heap, ``name`` what people call it.
     """
 
     shape: GrainShape = field(repr=False)
@@ -35,6 +35,7 @@ class Grain:
     centre_um: tuple[float, float, float]
     rotation: Points = field(repr=False)
     kind: int
+    name: str
 
     @property
     def volume_um3(self) -> float:
@@ -60,6 +61,7 @@ class LooseGrain:
     shape: GrainShape
     radius_um: float
     kind: int
+    name: str = ""
     place_um: tuple[float, float] | None = None
     rotation: Points | None = None
 
@@ -116,7 +118,7 @@ def pour(
         cover(surface, owner, pixel_um, body, grain.shape.faces, len(grains))
         level = (position[:2] - middle + span / 2) % span - span / 2
         centre = (float(level[0]), float(level[1]), float(position[2]))
-        grains.append(Grain(grain.shape, grain.radius_um, centre, rotation, grain.kind))
+        grains.append(Grain(grain.shape, grain.radius_um, centre, rotation, grain.kind, grain.name))
     inside = (slice(rim // 2, rim // 2 + shape[0]), slice(rim // 2, rim // 2 + shape[1]))
     return Heap(
         np.ascontiguousarray(surface[inside]), np.ascontiguousarray(owner[inside]), tuple(grains)

@@ -95,7 +95,7 @@ class Simulant:
         for number in generator.choice(len(self.kinds), count, p=shares / shares.sum()):
             kind = self.kinds[number]
             shape = shapes[number][generator.integers(_SHAPES_PER_KIND)]
-            grains.append(LooseGrain(shape, _radius_um(generator, kind), int(number)))
+            grains.append(LooseGrain(shape, _radius_um(generator, kind), int(number), kind.name))
         return grains
 
     @property
@@ -115,6 +115,7 @@ class Simulant:
                 _shape(generator, self.on_top),
                 _radius_um(generator, self.on_top),
                 len(self.kinds),
+                self.on_top.name,
                 place_um,
                 _leaning(azimuth, np.radians(15)),
             )
