@@ -60,7 +60,9 @@ def measure(options: str, views: int = 12) -> dict[str, float]:
             camera.configure(CameraSettings(EXPOSURE_US))
             camera.arm()
             device.start(1)
-            moments, cpu, device_times = [], [], []
+            moments: list[float] = []
+            cpu: list[float] = []
+            device_times: list[float] = []
             while len(moments) < views * lights:
                 event = device.events(timeout_s=10.0)
                 if isinstance(event, ExposureEvent):

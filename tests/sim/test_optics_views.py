@@ -136,6 +136,24 @@ def test_diffraction_spot_of_a_disc_follows_equation_two():
     assert math.sqrt(widths[0] * widths[1]) == pytest.approx(1.03 * spot_um, rel=0.08)
 
 
+def test_half_the_depth_of_field_away_a_point_is_blurred_by_its_spot_again():
+    # DOF = 2 lambda (f / d)^2 (eq. 2): at +-DOF/2 the cone of the disc is as wide as lambda f / d, the spot.
+    instrument, diameter_mm = ob.profile(), 3.0
+    open_disc = ob.disc(instrument, diameter_mm)
+    spot_um = 0.5 * F_MM / diameter_mm
+    half_depth_um = 0.5 * (F_MM / diameter_mm) ** 2
+    added = {}
+    for z in (0.0, half_depth_um, -half_depth_um, 3 * half_depth_um):
+        scene = ob.sample(instrument, z, ob.bump(instrument, 3.0))
+        image = ob.render(instrument, scene, ob.overhead(instrument), open_disc)
+        added[z] = np.mean(ob.moments(image)[1]) * instrument.pixel_um**2 - 3.0**2
+    cone = spot_um**2 / 16  # variance of an even disc of that diameter
+    # Rays that end between pixels are interpolated, which adds up to a quarter of a squared pixel.
+    between = 0.25 * instrument.pixel_um**2
+    for z, cones in ((half_depth_um, 1), (-half_depth_um, 1), (3 * half_depth_um, 9)):
+        assert 0.95 * cones * cone < added[z] - added[0.0] < 1.05 * cones * cone + between
+
+
 def test_diffraction_of_few_pixels_has_their_form():
     # The "1.5 mm disc" about the middle of the glass is really 4 x 2 pixels: a sinc^2, 0.886 r wide.
     widths = full_width_added_um(ob.disc(INSTRUMENT, 1.5))
