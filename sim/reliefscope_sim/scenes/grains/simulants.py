@@ -86,6 +86,7 @@ class Simulant:
     dust: Material
     grains_per_mm2: float
     on_top: GrainKind | None = None
+    on_top_length_um: float = 0.0
 
     def draw(self, generator: np.random.Generator, count: int) -> list[LooseGrain]:
         """``count`` grains in the order in which they fall, without the one on top."""
@@ -110,10 +111,11 @@ class Simulant:
         if self.on_top is None:
             return []
         azimuth = generator.uniform(np.radians(30), np.radians(70))
+        shape = _shape(generator, self.on_top)
         return [
             LooseGrain(
-                _shape(generator, self.on_top),
-                _radius_um(generator, self.on_top),
+                shape,
+                self.on_top_length_um / shape.extents[0],
                 len(self.kinds),
                 self.on_top.name,
                 place_um,
@@ -170,7 +172,8 @@ DS1 = Simulant(
     ),
     Material((0.30, 0.29, 0.28), _DULL, None, relief_um=0.8),
     grains_per_mm2=1400.0,
-    on_top=GrainKind("white prolate grain", 0.0, "rounded", (69, 71), 0.0, *_PROLATE, 0.0, _WHITE),
+    on_top=GrainKind("white prolate grain", 0.0, "rounded", (60, 80), 0.0, *_PROLATE, 0.0, _WHITE),
+    on_top_length_um=300.0,
 )
 """Dark and angular with shining specks, and a white glossy grain of about 300 x 100 um on top (Fig. 10)."""
 
