@@ -270,7 +270,7 @@ def test_bad_input_is_refused(change: dict[str, object], words: str) -> None:
 
 
 def test_telecentricity_is_taken_out_of_the_map() -> None:
-    kappa, pixel_um, height = 2e-3, 1.12, scenes.plane(0.0, 0.25, 4.0)
+    kappa, pixel_um, height = 1e-3, 1.12, scenes.plane(0.0, 0.25, 4.0)
     slopes = scenes.hexagon_slopes(12, 0.127)
     rows, cols = np.mgrid[: SHAPE[0], : SHAPE[1]].astype(np.float64)
     middle = (np.array(SHAPE) - 1) / 2
@@ -280,8 +280,8 @@ def test_telecentricity_is_taken_out_of_the_map() -> None:
         r, c = rows.copy(), cols.copy()
         for _ in range(60):  # what lies at (r, c) appears at (rows, cols)
             z = height(r, c)
-            r = rows - z * (sy / pixel_um - kappa * (r - middle[0]))
-            c = cols + z * (sx / pixel_um + kappa * (c - middle[1]))
+            r = rows - z * (sy / pixel_um - kappa * (rows - middle[0]))
+            c = cols + z * (sx / pixel_um + kappa * (cols - middle[1]))
         views.append(ndimage.map_coordinates(canvas, [r + 24, c + 24], order=3))
     frames = np.asarray(views, dtype=np.float32)
     told, untold = (

@@ -133,7 +133,8 @@ def test_telecentricity_moves_points_by_their_place_in_the_field() -> None:
     kappa, height = 4e-4, np.full((81, 161), 40.0, dtype=np.float32)
     rows, cols = np.mgrid[:81, :161]
     true = (20, 140)
-    seen = (true[0] - 40 * kappa * (true[0] - 40), true[1] - 40 * kappa * (true[1] - 80) - 4.0)
+    near = 1 / (1 + 40 * kappa)
+    seen = (40 + near * (true[0] - 40), 80 + near * (true[1] - 80 - 4.0))
     frame = np.exp(-((rows - seen[0]) ** 2 + (cols - seen[1]) ** 2) / 8).astype(np.float32)
     registered = to_reference(frame[None], [[0.1, 0.0]], height, 1.0, telecentricity_per_um=kappa)
     assert ndimage.center_of_mass(np.nan_to_num(registered[0])) == pytest.approx(true, abs=0.02)

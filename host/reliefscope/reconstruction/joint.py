@@ -37,7 +37,6 @@ from reliefscope.reconstruction.shifts import (
     TAPS,
     ShiftPlan,
     plan_shifts,
-    telecentric_drift,
     valid_span,
 )
 from reliefscope.units import FloatImage
@@ -187,12 +186,12 @@ def match_jointly(
     heights = candidate_heights(s, range_um, pixel_um, binning)
     check_baseline(s, heights, pixel_um)
     coarse = (shape[0] // binning, shape[1] // binning)
-    plan = plan_shifts(s, heights, pixel_um * binning)
+    middle = (0.5 * (coarse[0] - 1), 0.5 * (coarse[1] - 1))
+    plan = plan_shifts(s, heights, pixel_um * binning, telecentricity_per_um)
     reach = small_window // 2 + large_window // 2
-    drift = telecentric_drift(0.0, 0.0, coarse, telecentricity_per_um)
     travel = int(max(np.abs(plan.row_whole).max(), np.abs(plan.col_whole).max()))
-    farthest = float(np.abs(heights).max())
-    travel += math.ceil(max(map(abs, drift)) * farthest)
+    drift = abs(telecentricity_per_um) * float(np.abs(heights).max())
+    travel += math.ceil(drift * max(middle))
     if travel + reach >= min(coarse) // 2:
         raise InvalidInputError(
             f"The range of heights moves a view by {travel * binning} pixels, too far for an image of "
@@ -209,9 +208,11 @@ def match_jointly(
     def plan_at(tile: Tile) -> ShiftPlan:
         if telecentricity_per_um == 0.0:
             return plan
-        place = (0.5 * float(tile[0] + tile[1] - 1), 0.5 * float(tile[2] + tile[3] - 1))
-        drift = telecentric_drift(*place, coarse, telecentricity_per_um)
-        return plan_shifts(s, heights, pixel_um * binning, drift)
+        place = (
+            0.5 * float(tile[0] + tile[1] - 1) - middle[0],
+            0.5 * float(tile[2] + tile[3] - 1) - middle[1],
+        )
+        return plan_shifts(s, heights, pixel_um * binning, telecentricity_per_um, place)
 
     def work(tile: Tile) -> None:
         here = plan_at(tile)
@@ -251,7 +252,7 @@ def match_jointly(
         coarse,
         (int(rows[0].max()), int(rows[1].min())),
         (int(cols[0].max()), int(cols[1].min())),
-        abs(telecentricity_per_um) * farthest,
+        drift,
     )
     with ensure_job(job).stage("match", len(places)) as stage:
         tiles.run_each(work, places, stage)

@@ -2,7 +2,8 @@
 
 A surface point at ``(x, y)`` with height z appears in the view ``s`` at ``(x - z sx, y - z sy)``
 (:mod:`reliefscope.axes`), so the frame is sampled there.  Where the optics are not quite telecentric the slope
-grows by ``telecentricity_per_um`` times the position from the middle of the field.  A point is hidden in that
+grows by ``telecentricity_per_um`` times the position from the middle of the field
+(:func:`~reliefscope.reconstruction.shifts.plan_shifts`).  A point is hidden in that
 view where a higher part of the surface lies on its ray ``(x + t sx, y + t sy, z + t)``.
 """
 
@@ -151,6 +152,7 @@ def resample(
     for r in range(first, stop):
         for c in range(cols):
             z = height[r, c]
+            z /= 1.0 + z * telecentricity_per_um
             y = r + z * (rows_per_um - telecentricity_per_um * (r - middle_row))
             x = c + z * (cols_per_um - telecentricity_per_um * (c - middle_col))
             if not (y >= -SNAP_PX and y <= low and x >= -SNAP_PX and x <= right):
@@ -206,11 +208,12 @@ def trace_visibility(
     rows, cols = height.shape
     middle_row, middle_col = 0.5 * (rows - 1), 0.5 * (cols - 1)
     for r in range(first, stop):
-        down_um = rows_per_um - telecentricity_per_um * (r - middle_row)
         for c in range(cols):
-            along_um = cols_per_um - telecentricity_per_um * (c - middle_col)
-            travel = max(abs(along_um), abs(down_um))
             z = height[r, c]
+            bend = 1.0 + z * telecentricity_per_um
+            along_um = (cols_per_um - telecentricity_per_um * (c - middle_col)) / bend
+            down_um = (rows_per_um - telecentricity_per_um * (r - middle_row)) / bend
+            travel = max(abs(along_um), abs(down_um))
             seen = not np.isnan(z)
             if seen and travel > 0.0:
                 step_um = 1.0 / travel

@@ -69,7 +69,8 @@ def plan_shifts(
     slopes: ArrayLike,
     heights_um: ArrayLike,
     pixel_um: float,
-    drift_per_um: tuple[float, float] = (0.0, 0.0),
+    telecentricity_per_um: float = 0.0,
+    place_px: tuple[float, float] = (0.0, 0.0),
 ) -> ShiftPlan:
     """Shifts of every view for every height, from the world frame's rule (:mod:`reliefscope.axes`).
 
@@ -81,34 +82,20 @@ def plan_shifts(
         (N,) candidate heights.
     pixel_um:
         Sampling distance in the focal plane.
-    drift_per_um:
-        Further shift (rows, columns) in pixels per um of height, the same for all views: that of optics that
-        are not quite telecentric (:func:`telecentric_drift`).
+    telecentricity_per_um, place_px:
+        Growth kappa of the slopes with the position from the middle of the field, and the place (rows, columns
+        from the middle) that the shifts are for: a point at ``(x, y, z)`` appears where a ray of the slope
+        that holds *there* meets the focal plane, at ``((x - z sx) / (1 + z kappa), (y - z sy) / (1 + z kappa))``.
     """
     s = np.asarray(slopes, dtype=np.float64)
     z = np.asarray(heights_um, dtype=np.float64)
     unit = np.array([apparent_shift_px(1.0, (float(sx), float(sy)), pixel_um) for sx, sy in s])
-    col_px = z[:, None] * (unit[None, :, 0] + drift_per_um[1])
-    row_px = z[:, None] * (unit[None, :, 1] + drift_per_um[0])
+    reach = z / (1.0 + z * telecentricity_per_um)
+    col_px = reach[:, None] * (unit[None, :, 0] - telecentricity_per_um * place_px[1])
+    row_px = reach[:, None] * (unit[None, :, 1] - telecentricity_per_um * place_px[0])
     col_whole, col_weights = split_shift(col_px)
     row_whole, row_weights = split_shift(row_px)
     return ShiftPlan(row_px, col_px, row_whole, col_whole, row_weights, col_weights)
-
-
-def telecentric_drift(
-    row: float, col: float, shape: tuple[int, int], telecentricity_per_um: float
-) -> tuple[float, float]:
-    """Shift (rows, columns) in pixels per um of height at a place of an image of ``shape``.
-
-    The slope of a view grows by ``telecentricity_per_um`` times the position from the middle of the field, so
-    a point at ``(x, y, z)`` appears at ``(x - z (sx + kappa x), y - z (sy + kappa y))``.  In pixels from the
-    middle this holds for rows as for columns, at any sampling.
-    """
-    middle_row, middle_col = (shape[0] - 1) / 2, (shape[1] - 1) / 2
-    return (
-        -telecentricity_per_um * (row - middle_row),
-        -telecentricity_per_um * (col - middle_col),
-    )
 
 
 def valid_span(
