@@ -28,7 +28,7 @@ def test_a_lens_that_is_not_telecentric_is_taken_out(tmp_path: Path) -> None:
     url = f"sim://leaning?size=160x128&profile={file}&{SCENE}"
     offer = describe(url)
     plan = default_plan(offer.profile)
-    plan = plan.model_copy(update={"lights": plan.lights[8::2]})
+    plan = plan.model_copy(update={"lights": plan.lights[8::4]})
     with Device.open(url) as device:
         camera = open_camera(url)
         try:
