@@ -44,8 +44,8 @@ _TUBE_MM = 164.5
 _MAGNIFICATION = 5.0
 _CAMERA_PIXEL_UM = 3.45
 _SENSOR = (2452, 2056)
-_PUPIL_POINTS = 64
-"""Points that stand for the pupil; 75 um out of focus their images lie 3.5 pixels apart."""
+_PUPIL_POINTS = 36
+"""Points that stand for the pupil; 75 um out of focus their images lie 4.7 pixels apart."""
 _GLOSS_CELL_MM = 3.0
 """Points of the pupil this near to each other share one direction for gloss."""
 _EXPOSED_TO = 0.8
@@ -142,7 +142,7 @@ def record_z_stack(
     It is a :class:`reliefscope.models.z_stack.StackRecorder`.
 
     The sample is made as that instrument sees it, and both look at the middle of it.  31 images, 5 um apart from
-    -75 to +75 um, 12 bits in 16-bit PNG files.
+    -75 to +75 um, 12 bits in 16-bit PNG files.  Until the last is written the folder is called ``OUT.partial``.
     """
     address = SimUrl.parse(url)
     if out.exists():
@@ -164,14 +164,15 @@ def record_z_stack(
     )
     planes = []
     try:
-        out.mkdir(parents=True)
+        making = out.with_name(f"{out.name}.partial")
+        making.mkdir(parents=True, exist_ok=True)
         with ensure_job(job).stage("z-stack", PLANES) as stage:
             middle = renderer.focused(float(focus_um[PLANES // 2]))
             gain = _EXPOSED_TO / max(float(np.percentile(middle, 99)), 1e-9)
             for index, height in enumerate(focus_um):
                 raw = renderer.record(float(height), gain, (address.seed, index))
                 planes.append(StackPlane(file=f"plane-{index:02d}.png", height_um=float(height)))
-                _write(out / planes[-1].file, raw)
+                _write(making / planes[-1].file, raw)
                 stage.advance()
         stack = ZStack(
             pixel_um=profile.pixel_um,
@@ -180,7 +181,8 @@ def record_z_stack(
             planes=tuple(planes),
         )
         content = yaml.safe_dump(stack.model_dump(mode="json"), sort_keys=False)
-        (out / STACK_FILE).write_text(content, "utf-8")
+        (making / STACK_FILE).write_text(content, "utf-8")
+        making.rename(out)
     except OSError as error:
         raise DatasetError(
             f"{out} cannot be written: {error.strerror or error}.",
