@@ -88,7 +88,7 @@ def test_damage_is_told(tmp_path: Path) -> None:
         result.load_result(tmp_path, "one")
     folder = result.save_result(example(), tmp_path, "one")
     text = (folder / "result.json").read_text()
-    (folder / "result.json").write_text(text.replace('"schema_version": 1', '"schema_version": 99'))
+    (folder / "result.json").write_text(text.replace('"schema_version": 2', '"schema_version": 99'))
     with pytest.raises(DatasetError, match="version 99"):
         result.load_result(tmp_path, "one")
     (folder / "result.json").write_text(text)

@@ -23,6 +23,7 @@ from reliefscope.reconstruction.channel_means import ChannelMeans, read_channel_
 from reliefscope.reconstruction.inputs import Inputs, refuse_undefined
 from reliefscope.reconstruction.mvs import MvsResult
 from reliefscope.reconstruction.result import Reconstruction
+from reliefscope.reconstruction.self_check import SelfCheck, check_run
 from reliefscope.reconstruction.stage_clock import StageClock, peak_memory_mb
 from reliefscope.reconstruction.view_average import ViewAverage
 from reliefscope.units import FloatImage
@@ -37,6 +38,7 @@ def reconstruct_jointly(
     stereo: MvsResult | None = None
     filled: FloatImage | None = None
     means: ChannelMeans | None = None
+    check: SelfCheck | None = None
     if inputs.stereo:
         means = read_channel_means(
             inputs,
@@ -64,6 +66,8 @@ def reconstruct_jointly(
                 usable = shadows.lit(filled, lights, pixel_um, job=clock.job)
         with clock.timed("photometric stereo"), clock.job.stage("photometric stereo", 1):
             solved = photometric.solve(images, lights, pixel_um, usable=usable)
+        if stereo is not None and filled is not None:
+            check = check_run(inputs, clock, stereo, filled, solved, images, usable)
         del images
     del means
     with clock.timed("fuse"):
@@ -84,6 +88,7 @@ def reconstruct_jointly(
         residual=solved.residual if solved else None,
         micrograph=micrograph,
         valid=inputs.mask,
+        self_check=check,
         figures=figures,
         timings_s=clock.timings_s,
         peak_memory_mb=peak_memory_mb(),

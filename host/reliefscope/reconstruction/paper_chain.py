@@ -21,6 +21,7 @@ from reliefscope.reconstruction import fusion, mvs, photometric, registration, s
 from reliefscope.reconstruction.channel_means import ChannelMeans, read_channel_means
 from reliefscope.reconstruction.inputs import Inputs, refuse_undefined
 from reliefscope.reconstruction.result import Reconstruction
+from reliefscope.reconstruction.self_check import SelfCheck, check_run
 from reliefscope.reconstruction.stage_clock import StageClock, peak_memory_mb
 from reliefscope.units import FloatImage
 
@@ -34,6 +35,7 @@ def reconstruct_by_paper(
     stereo: mvs.MvsResult | None = None
     smoothed: FloatImage | None = None
     means: ChannelMeans | None = None
+    check: SelfCheck | None = None
     if inputs.stereo:
         means = read_channel_means(
             inputs,
@@ -54,6 +56,8 @@ def reconstruct_by_paper(
             full_scale = settings.full_scale or photometric.full_scale_of(images)
             figures["full_scale"] = full_scale
             solved = photometric.solve_lambert(images, inputs.directions, full_scale=full_scale)
+        if stereo is not None and smoothed is not None:
+            check = check_run(inputs, clock, stereo, smoothed, solved, images)
         del images
     del means
     with clock.timed("fuse"):
@@ -74,6 +78,7 @@ def reconstruct_by_paper(
         residual=solved.residual if solved else None,
         micrograph=micrograph,
         valid=inputs.mask,
+        self_check=check,
         figures=figures,
         timings_s=clock.timings_s,
         peak_memory_mb=peak_memory_mb(),

@@ -22,10 +22,11 @@ from numpy.typing import NDArray
 
 from reliefscope import __version__, axes
 from reliefscope.errors import DatasetError, InvalidInputError, OutputExistsError
+from reliefscope.reconstruction.self_check import SelfCheck
 from reliefscope.reconstruction.settings import Settings
 from reliefscope.units import BoolImage, FloatImage
 
-SCHEMA_VERSION = 1
+SCHEMA_VERSION = 2
 ARRAYS_FILE = "arrays.npz"
 RESULT_FILE = "result.json"
 RESULTS_FOLDER = "results"
@@ -57,6 +58,8 @@ class Reconstruction:
         Linear luminance to look at: the centre view under all light where it was taken.
     valid:
         (H, W) bool, pixels that the run's mask leaves; None: all.  Shares are of these.
+    self_check:
+        Whether the result agrees with itself; None without both stereo and normals.
     figures:
         Numbers about the solution, such as the solver's iterations.
     timings_s, peak_memory_mb:
@@ -76,6 +79,7 @@ class Reconstruction:
     residual: FloatImage | None = None
     micrograph: FloatImage | None = None
     valid: BoolImage | None = None
+    self_check: SelfCheck | None = None
     figures: Mapping[str, float] = field(default_factory=dict)
     timings_s: Mapping[str, float] = field(default_factory=dict)
     peak_memory_mb: float = 0.0
@@ -112,6 +116,8 @@ class Reconstruction:
             facts["photometric_accepted"] = self._share(accepted)
             facts["photometric_quality_median"] = self._median(self.photometric_quality)
         facts.update({name: float(f"{value:.6g}") for name, value in self.figures.items()})
+        if self.self_check is not None:
+            facts["self_check"] = self.self_check.verdict
         facts["peak_memory_mb"] = round(self.peak_memory_mb)
         return facts
 
@@ -231,10 +237,12 @@ def load_result(run_path: Path, name: str) -> Reconstruction:
             )
         with (folder / ARRAYS_FILE).open("rb") as stream, np.load(stream) as archive:
             arrays: dict[str, Any] = {key: archive[key] for key in archive.files}
+        check = document["self_check"]
         return Reconstruction(
             pixel_um=document["pixel_um"],
             settings=Settings.model_validate(document["settings"]),
             kind=document["kind"],
+            self_check=None if check is None else SelfCheck.from_dict(check),
             figures=document["figures"],
             timings_s=document["timings_s"],
             peak_memory_mb=document["peak_memory_mb"],
@@ -249,6 +257,7 @@ def load_result(run_path: Path, name: str) -> Reconstruction:
 
 
 def _document(reconstruction: Reconstruction) -> dict[str, Any]:
+    check = reconstruction.self_check
     return {
         "schema_version": SCHEMA_VERSION,
         "program_version": __version__,
@@ -257,6 +266,7 @@ def _document(reconstruction: Reconstruction) -> dict[str, Any]:
         "pixel_um": reconstruction.pixel_um,
         "settings": reconstruction.settings.as_dict(),
         "summary": reconstruction.summary(),
+        "self_check": None if check is None else check.as_dict(),
         "figures": dict(reconstruction.figures),
         "timings_s": dict(reconstruction.timings_s),
         "peak_memory_mb": reconstruction.peak_memory_mb,
