@@ -54,10 +54,17 @@ class Pair:
 
     @property
     def displacement_px(self) -> tuple[float, float]:
-        """(columns, rows) by which the twin's frame lies beside the tracer's."""
-        window = cv2.createHanningWindow(self.tracer.shape[::-1], cv2.CV_32F)
-        (x, y), _ = cv2.phaseCorrelate(self.tracer_seen, self.twin_seen, window)
-        return x, y
+        """(columns, rows) by which the twin's frame lies beside the tracer's.
+
+        Least squares in ``twin = gain * tracer - displacement . gradient(tracer)``, without diffraction, and in
+        the light only, where texture and not the brightness of shadows decides.
+        """
+        tracer, twin = (cv2.GaussianBlur(each, (0, 0), 1.5) for each in (self.tracer, self.twin))
+        down, across = np.gradient(tracer)
+        lit = self.regions["in the light"]
+        parts = np.stack([tracer[lit], across[lit], down[lit]], axis=-1).astype(np.float64)
+        fit = np.linalg.lstsq(parts, twin[lit], rcond=None)[0]
+        return float(-fit[1]), float(-fit[2])
 
 
 @dataclass(frozen=True)

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import json
 from collections.abc import Sequence
-from dataclasses import asdict, dataclass
+from dataclasses import asdict, dataclass, replace
 from pathlib import Path
 
 import numpy as np
@@ -27,12 +27,14 @@ class Case:
     name: str
     scene: str
     options: dict[str, str | float]
+    matt: bool = False
+    """Whether gloss is taken out: in the simulated instrument it is a coat that dims what lies below."""
 
 
 CASES = (
     Case("fiducial, dull", "fiducial", {"finish": "dull"}),
     Case("fiducial, metallic", "fiducial", {"finish": "metallic"}),
-    Case("regolith", "regolith", {}),
+    Case("regolith, matt", "regolith", {}, matt=True),
 )
 
 
@@ -46,6 +48,8 @@ def write(folder: Path, rays_per_pixel: int, cases: Sequence[Case] = CASES) -> N
         scene = load_scene(
             case.scene, 1, case.options, shape=profile.shape, pixel_um=profile.pixel_um
         )
+        if case.matt:
+            scene = replace(scene, specular=None, roughness=None)
         for pair in compare(scene, PAIRS, WINDOW, rays_per_pixel=rays_per_pixel):
             title = f"{case.name}, aperture {pair.view}, LED {pair.led}"
             rows = {seen: figures(pair, seen=seen) for seen in (False, True)}
@@ -70,7 +74,7 @@ def table(title: str, pair: Pair, rows: dict[bool, list[Figures]]) -> str:
     x, y = pair.displacement_px
     lines = [
         f"**{title}**; noise of the tracer {pair.noise / float(np.mean(pair.tracer)):.1%} of the "
-        f"mean, displacement ({x:+.2f}, {y:+.2f}) px",
+        f"mean, displacement ({x:+.3f}, {y:+.3f}) px",
         "",
         "| Where | Part | Radiance | Ratio | RMS | Median | Ratio, diffr. | RMS, diffr. |",
         "|---|---|---|---|---|---|---|---|",
