@@ -29,6 +29,7 @@ COMMANDS = [
     "tui",
     "flash",
     "light-probe",
+    "estimate-lights",
     "link-test",
 ]
 HEAVY = [

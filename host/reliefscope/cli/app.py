@@ -24,6 +24,7 @@ from reliefscope.cli.commands import (
     dataset,
     demo,
     diagnose,
+    estimate_lights,
     evaluate,
     experiment,
     fiducial,
@@ -51,6 +52,7 @@ app.command("tui", rich_help_panel="Measure")(tui.tui)
 app.command("acquire", rich_help_panel="Measure")(acquire.acquire)
 app.command("import", rich_help_panel="Measure")(dataset.import_photographs)
 app.command("light-probe", rich_help_panel="Measure")(light_probe.light_probe)
+app.command("estimate-lights", rich_help_panel="Measure")(estimate_lights.estimate_lights)
 app.command("reconstruct", rich_help_panel="Process")(reconstruct.reconstruct)
 app.command("evaluate", rich_help_panel="Process")(evaluate.evaluate)
 app.command("focus-stack", rich_help_panel="Process")(focus_stack.focus_stack)

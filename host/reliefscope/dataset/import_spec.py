@@ -9,10 +9,17 @@ from typing import Annotated, Any, Literal
 
 from pydantic import Field, model_validator
 
-from reliefscope.dataset.spec import ImportedLight, ImportedView, Vector2, Vector3
+from reliefscope.dataset.spec import (
+    ImportedLight,
+    ImportedView,
+    LevelIntensity,
+    Vector2,
+    Vector3,
+)
 from reliefscope.errors import InvalidInputError
 from reliefscope.models.base import StrictModel, parse_model, read_yaml
 from reliefscope.models.instrument import Sensor
+from reliefscope.models.light_field import mirrored_level
 
 Positive = Annotated[float, Field(gt=0)]
 Index = Annotated[int, Field(ge=0)]
@@ -31,8 +38,18 @@ class LightEntry(StrictModel):
 
     direction: Vector3 | None = None
     """Toward the light, of any length."""
+    position_mm: Vector3 | None = None
+    """Place of a near light, from the point of the object in the middle of the picture; instead of ``direction``."""
     power: Positive = 1.0
+    level: LevelIntensity | None = None
+    """What a level surface shows, as ``reliefscope estimate-lights`` finds it."""
     name: str | None = None
+
+    @model_validator(mode="after")
+    def _one_place(self) -> LightEntry:
+        if self.direction is not None and self.position_mm is not None:
+            raise ValueError("give either `direction` or `position_mm`")
+        return self
 
 
 class LightList(StrictModel):
@@ -116,10 +133,14 @@ class PhotographSet(StrictModel):
         if self.sensor == "bayer_rggb" and self.transfer != "linear":
             raise ValueError("a mosaic must be linear: `transfer: linear`")
         for index, light in enumerate(self.lights):
-            if light.direction is not None and light.direction[2] <= 0:
+            place = light.direction or light.position_mm
+            if place is not None and place[2] <= 0:
+                key = "direction" if light.direction is not None else "position_mm"
                 raise ValueError(
-                    f"lights.{index}.direction {light.direction} points to or below the sample plane"
+                    f"lights.{index}.{key} {place} points to or below the sample plane"
                 )
+        if any((light.level is None) != (self.lights[0].level is None) for light in self.lights):
+            raise ValueError("give `level` for all lights or for none")
         for kind, names in (("views", self.view_names), ("lights", self.light_names)):
             if len(set(names)) < len(names):
                 raise ValueError(f"{kind} must have different names")
@@ -205,15 +226,23 @@ class PhotographSet(StrictModel):
 
     def imported_lights(self) -> tuple[ImportedLight, ...]:
         """Lights with y up and unit directions."""
-        sign = -1.0 if self.y_axis == "down" else 1.0
         lights = []
         for name, light in zip(self.light_names, self.lights, strict=True):
-            direction = None
-            if light.direction is not None:
-                x, y, z = light.direction
+            upright = _upside_down(light) if self.y_axis == "down" else light
+            direction = upright.direction or upright.position_mm
+            if direction is not None:
+                x, y, z = direction
                 length = math.hypot(x, y, z)
-                direction = (x / length, sign * y / length, z / length)
-            lights.append(ImportedLight(name=name, direction=direction, power=light.power))
+                direction = (x / length, y / length, z / length)
+            lights.append(
+                ImportedLight(
+                    name=name,
+                    direction=direction,
+                    position_mm=upright.position_mm,
+                    power=light.power,
+                    level=upright.level,
+                )
+            )
         return tuple(lights)
 
 
@@ -262,7 +291,11 @@ def _with_lights(path: Path) -> Any:
 
 
 def _upside_down(light: LightEntry) -> LightEntry:
-    if light.direction is None:
-        return light
-    x, y, z = light.direction
-    return light.model_copy(update={"direction": (x, -y, z)})
+    flipped: dict[str, Any] = {}
+    for key in ("direction", "position_mm"):
+        place = getattr(light, key)
+        if place is not None:
+            flipped[key] = (place[0], -place[1], place[2])
+    if light.level is not None:
+        flipped["level"] = mirrored_level(light.level)
+    return light.model_copy(update=flipped)

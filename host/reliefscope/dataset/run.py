@@ -21,7 +21,7 @@ from reliefscope.dataset.lock import RunLock
 from reliefscope.dataset.radiometry import Radiometry
 from reliefscope.dataset.records import JOURNAL_FILE, FrameKey, Journal, JournalEntry, key_text
 from reliefscope.dataset.sensor_image import colour, luminance
-from reliefscope.dataset.spec import RunSpec, read_spec, resume_command_of
+from reliefscope.dataset.spec import ImportedLight, RunSpec, read_spec, resume_command_of
 from reliefscope.dataset.verify import VerifyReport, verify_frames
 from reliefscope.dataset.writer import PARTIAL_SUFFIX, partial_path
 from reliefscope.errors import DatasetError, InvalidInputError
@@ -181,8 +181,7 @@ class Run:
         None where a direction is not known.
         """
         if self.spec.imported is not None:
-            directions = self.lights
-            return None if directions is None else LightField.distant(directions, self.powers)
+            return _imported_field(self.spec.imported.lights)
         plan, profile, calibration = self._instrument()
         return LightField.of_instrument(plan.lights, profile, calibration)
 
@@ -352,3 +351,18 @@ class Run:
         assert acquired is not None  # a run is acquired where it is not imported
         assert self.calibration is not None  # set from the acquired part
         return acquired.plan, acquired.profile, self.calibration
+
+
+def _imported_field(lights: Sequence[ImportedLight]) -> LightField | None:
+    """Near lights where the place of each is known, distant ones where their directions are; else None."""
+    directions = [light.direction for light in lights if light.direction is not None]
+    positions = [light.position_mm for light in lights if light.position_mm is not None]
+    powers = np.array([light.power for light in lights])
+    if len(directions) < len(lights):
+        return None
+    if len(positions) < len(lights):
+        field = LightField.distant(directions, powers)
+    else:
+        field = LightField.of_leds(positions, np.diag(powers))
+    levels = [light.level for light in lights if light.level is not None]
+    return field if len(levels) < len(lights) else field.with_level(levels)

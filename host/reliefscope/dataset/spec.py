@@ -21,6 +21,7 @@ SPEC_FILE = "run.json"
 Positive = Annotated[float, Field(gt=0)]
 Vector2 = tuple[float, float]
 Vector3 = tuple[float, float, float]
+LevelIntensity = Annotated[tuple[float, ...], Field(min_length=10, max_length=10)]
 
 
 class FrameFormat(StrictModel):
@@ -87,7 +88,11 @@ class ImportedLight(StrictModel):
     name: str
     direction: Vector3 | None = None
     """Unit vector toward the light, y up; None where it is not known."""
+    position_mm: Vector3 | None = None
+    """Place of a near light, y up, from the middle of the picture; None where it is distant."""
     power: Positive = 1.0
+    level: LevelIntensity | None = None
+    """Logarithm of the intensity of a level surface, see ``reliefscope.models.light_field.level_powers``."""
 
 
 class ImportedSpec(StrictModel):

@@ -1,4 +1,4 @@
-"""Lights calibrated from photographs of mirroring spheres."""
+"""Lights found from photographs of mirroring spheres, or from those of the sample itself."""
 
 from __future__ import annotations
 
@@ -15,6 +15,7 @@ from reliefscope.models.base import load_model
 
 if TYPE_CHECKING:
     from reliefscope.calibration.probe_photographs import ProbedLights
+    from reliefscope.reconstruction.light_estimation import LightEstimate
 
 
 def calibrate_lights(
@@ -58,6 +59,58 @@ def calibrate_lights(
     return lights
 
 
+def estimate_lights(
+    run: Path | str,
+    *,
+    reflectance: float | None = None,
+    out: Path | str | None = None,
+    job: Job | None = None,
+) -> LightEstimate:
+    """Near lights from the first view of a run whose sample is level, of one colour and matt for the most part.
+
+    Parameters
+    ----------
+    run:
+        Folder of the run; lights that its description gives are not looked at.
+    reflectance:
+        That of the sample, 0 to 1; a light grey coating's if left out.
+    out:
+        YAML file to write; an import description takes it as ``lights: FILE``.
+    job:
+        Receives progress; may cancel.
+
+    Raises
+    ------
+    DatasetError
+        The run cannot be read.
+    InvalidInputError
+        A sample that does not tell its lights; nothing was written.
+    OutputExistsError
+        ``out`` exists.
+    """
+    from reliefscope.dataset import Run
+    from reliefscope.reconstruction import light_estimation
+
+    place = None if out is None else Path(out)
+    if place is not None and place.exists():
+        raise _exists(place)
+    opened = Run.open(run)
+    found = light_estimation.estimate_lights(
+        opened.linear_stack(view=0, job=job),
+        opened.pixel_um,
+        reflectance=light_estimation.REFLECTANCE if reflectance is None else reflectance,
+    )
+    if place is not None:
+        rows = [
+            f"  - position_mm: {_numbers(position)}\n    power: {power:.5f}\n    level: {_numbers(level)}\n"
+            for position, power, level in zip(
+                found.positions_mm, found.powers, found.level, strict=True
+            )
+        ]
+        _write_lights(place, f"Places of the lights, estimated from {opened.name}", "".join(rows))
+    return found
+
+
 def _given(path: Path) -> NDArray[np.float64]:
     listed = load_lights(path).lights
     known = [light.direction for light in listed if light.direction is not None]
@@ -71,10 +124,18 @@ def _given(path: Path) -> NDArray[np.float64]:
 
 def _write(lights: ProbedLights, place: Path, source: Path) -> None:
     rows = "".join(
-        f"  - {{direction: [{', '.join(f'{value:.5f}' for value in vector)}]}}  # {photograph}\n"
+        f"  - {{direction: {_numbers(vector)}}}  # {photograph}\n"
         for vector, photograph in zip(lights.directions, lights.photographs, strict=True)
     )
-    text = f"# Toward the lights, from {source.name}\ny_axis: up\nlights:\n{rows}"
+    _write_lights(place, f"Toward the lights, from {source.name}", rows)
+
+
+def _numbers(values: NDArray[np.float64]) -> str:
+    return f"[{', '.join(f'{value:.5f}' for value in values)}]"
+
+
+def _write_lights(place: Path, title: str, rows: str) -> None:
+    text = f"# {title}\ny_axis: up\nlights:\n{rows}"
     try:
         place.parent.mkdir(parents=True, exist_ok=True)
         with place.open("x", encoding="utf-8") as stream:

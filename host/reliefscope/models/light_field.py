@@ -8,16 +8,17 @@ LEDs; the irradiance of a surface with the unit normal n that sees all of them i
 from __future__ import annotations
 
 import math
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
+from reliefscope.axes import pixel_grid_um
 from reliefscope.errors import InvalidInputError
 from reliefscope.models.calibration import Calibration
 from reliefscope.models.instrument import InstrumentProfile
 from reliefscope.models.plan import Light
-from reliefscope.units import UM_PER_MM
+from reliefscope.units import UM_PER_MM, FloatImage
 
 
 @dataclass(frozen=True, slots=True, eq=False)
@@ -35,12 +36,16 @@ class LightField:
         (L, N) irradiance that each LED gives at the focal point as part of each light.
     beam_exponent:
         LEDs point at the focal point and shine with ``cos^beam_exponent`` of the angle from there; 0: evenly.
+    level:
+        (L, 10) coefficients of :func:`level_powers`: the logarithm of the intensity that a level surface shows, where
+        it was measured; None: as positions and strengths say.
     """
 
     vectors: NDArray[np.float64]
     positions_mm: NDArray[np.float64] | None = None
     strengths: NDArray[np.float64] | None = None
     beam_exponent: float = 0.0
+    level: NDArray[np.float64] | None = None
 
     @classmethod
     def distant(cls, directions: ArrayLike, powers: ArrayLike | None = None) -> LightField:
@@ -143,13 +148,44 @@ class LightField:
         """The same lights, each ``factors`` (L,) times as strong."""
         by = np.asarray(factors, dtype=np.float64)[:, None]
         strengths = None if self.strengths is None else self.strengths * by
-        return LightField(self.vectors * by, self.positions_mm, strengths, self.beam_exponent)
+        level = self.level
+        if level is not None:
+            level = level.copy()
+            level[:, 0] += np.log(by[:, 0])
+        return LightField(
+            self.vectors * by, self.positions_mm, strengths, self.beam_exponent, level
+        )
 
     def subset(self, lights: ArrayLike) -> LightField:
         """Some of the lights, by index."""
         chosen = np.asarray(lights, dtype=np.intp)
         strengths = None if self.strengths is None else self.strengths[chosen]
-        return LightField(self.vectors[chosen], self.positions_mm, strengths, self.beam_exponent)
+        level = None if self.level is None else self.level[chosen]
+        vectors = self.vectors[chosen]
+        return LightField(vectors, self.positions_mm, strengths, self.beam_exponent, level)
+
+    def with_level(self, level: ArrayLike) -> LightField:
+        """The same lights with a measured level intensity (L, 10)."""
+        measured = np.asarray(level, dtype=np.float64)
+        if measured.shape != (len(self), LEVEL_TERMS):
+            raise InvalidInputError(
+                f"A level intensity {measured.shape} does not belong to {len(self)} lights.",
+                hint=f"Give {LEVEL_TERMS} coefficients per light.",
+            )
+        return replace(self, level=measured)
+
+    def over_level(self, images: FloatImage) -> FloatImage:
+        """Images (L, H, W) over what a level surface shows under each light.
+
+        A surface with the unit normal n shows ``E . n / E_z``.
+        """
+        if self.level is None:
+            raise ValueError("the level intensity of these lights was not measured")
+        terms = level_powers((images.shape[1], images.shape[2]))
+        out = np.empty(images.shape, np.float32)
+        for light, coefficients in enumerate(self.level):
+            out[light] = images[light] / np.exp(terms @ coefficients)
+        return out
 
     def irradiance(self, points_um: ArrayLike) -> NDArray[np.float64]:
         """Irradiance vectors (L, ..., 3) at ``points_um`` (..., 3) of the world frame."""
@@ -168,6 +204,25 @@ class LightField:
             single = away * (reach**2 * on_axis**self.beam_exponent / distance**3)
             total += strength.reshape(-1, *(1,) * points.ndim) * single
         return total
+
+
+LEVEL_TERMS = 10
+_POWERS = [(i, j) for i in range(4) for j in range(4 - i)]
+
+
+def level_powers(shape: tuple[int, int]) -> NDArray[np.float64]:
+    """Terms (H, W, 10) of a cubic in u (to the right) and v (upward), +-1 at the ends of the longer side.
+
+    In the order 1, v, v^2, v^3, u, u v, u v^2, u^2, u^2 v, u^3.
+    """
+    half = max(max(shape) - 1, 1) / 2
+    u, v = pixel_grid_um(shape, 1.0 / half)
+    return np.stack([u[None, :] ** i * v[:, None] ** j for i, j in _POWERS], axis=-1)
+
+
+def mirrored_level(level: tuple[float, ...]) -> tuple[float, ...]:
+    """Coefficients (10,) of the same level intensity with the y axis turned over."""
+    return tuple(-c if j % 2 else c for c, (_, j) in zip(level, _POWERS, strict=True))
 
 
 def beam_exponent(half_angle_deg: float) -> float:

@@ -202,13 +202,20 @@ def solve(
     result = PsResult.empty(shape, robust=True) if out is None else out
     assert result.sigma_rad is not None  # space of the robust form
     assert result.lights_used is not None
-    gains = lights.powers.mean() / lights.powers
+    if lights.level is None:
+        gains = lights.powers.mean() / lights.powers
+        knots = _knots(lights.scaled(1.0 / lights.powers), shape, pixel_um, plane_um)
+    else:
+        stack = lights.over_level(stack)
+        gains = np.ones(len(lights))
+        knots = _knots(lights, shape, pixel_um, plane_um)
+        knots /= knots[..., 2:].copy()
     if full_scale is None:
         full_scale = full_scale_of(stack) * float(np.median(gains))
     ps_robust_kernels.solve_robust(
         stack,
         gains.astype(np.float32),
-        _knots(lights.scaled(1.0 / lights.powers), shape, pixel_um, plane_um),
+        knots,
         np.ascontiguousarray(mask),
         DROPPED_SHARE,
         DROPPED_DARK_SHARE if usable is None else 0.0,
