@@ -9,6 +9,8 @@ import yaml
 from tests.support import shared_data
 
 from reliefscope.dataset import import_photographs
+from reliefscope.evaluation.heights import height_errors
+from reliefscope.microscope import estimate_lights
 from reliefscope.reconstruction.pipeline import reconstruct
 from reliefscope.reconstruction.result import Reconstruction
 from reliefscope.reconstruction.settings import settings_for
@@ -91,3 +93,27 @@ def test_trimming_leaves_less_unexplained(
     assert robust.residual is not None
     inside = np.isfinite(cat.height_um)
     assert np.median(robust.residual[inside]) < 0.8 * np.median(cat.residual[inside])
+
+
+def test_groove_under_unknown_lights(tmp_path: Path) -> None:
+    """A gel-coated groove under six LEDs of which nothing is given; the instrument's own height is the reference."""
+    data = shared_data("gelsight_groove")
+    content = {
+        "folder": str(data),
+        "pixel_um": 27.4581,
+        "lights": [{} for _ in range(6)],
+        "pattern": "image{light:02d}.png",
+        "first": 1,
+        "sensor": "mono",
+        "bit_depth": 8,
+    }
+    description = tmp_path / "groove.yml"
+    description.write_text(yaml.safe_dump(content))
+    unknown = import_photographs(description, tmp_path / "unknown")
+    estimate_lights(unknown.path, out=tmp_path / "lights.yml")
+    description.write_text(yaml.safe_dump(content | {"lights": "lights.yml"}))
+    found = reconstruct(import_photographs(description, tmp_path / "known"))
+    reference_um = 1000.0 * np.load(data / "heightmap_mm.npy")
+    assert found.kind == "integrated"
+    everywhere = np.ones(reference_um.shape, bool)
+    assert height_errors(found.height_um, reference_um, everywhere).plane_um <= 25.0
