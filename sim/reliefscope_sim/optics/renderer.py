@@ -198,7 +198,7 @@ class Renderer:
         ]
 
         def shade(lean: NDArray[np.float64]) -> FloatImage:
-            radiance: FloatImage = np.zeros_like(surface.albedo)
+            radiance: FloatImage = np.zeros(surface.albedo.shape, dtype=np.float32)
             for led, share, lit in lights:
                 self._lighting.add_radiance(surface, lit, led, lean, share, radiance)
             return radiance
