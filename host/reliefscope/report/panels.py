@@ -15,6 +15,7 @@ from reliefscope.errors import DatasetError
 from reliefscope.units import FloatImage
 
 if TYPE_CHECKING:
+    from matplotlib.axes import Axes
     from matplotlib.figure import Figure
 
 INK = "#22262b"
@@ -61,19 +62,23 @@ def write_panels(panels: Sequence[Panel], path: Path, *, columns: int = 3, title
     from matplotlib.figure import Figure
 
     across = min(columns, len(panels))
-    down = -(-len(panels) // across)
-    tallest = max(panel.image.shape[0] / panel.image.shape[1] for panel in panels)
-    size = (across * (_PANEL_IN + 0.5), down * (_PANEL_IN * tallest + 0.55) + (0.4 if title else 0))
+    rows = [panels[start : start + across] for start in range(0, len(panels), across)]
+    tallest = [max(panel.image.shape[0] / panel.image.shape[1] for panel in row) for row in rows]
+    size = (
+        across * (_PANEL_IN + 0.8),
+        sum(tallest) * _PANEL_IN + 0.6 * len(rows) + (0.4 if title else 0),
+    )
     figure = Figure(figsize=size, dpi=DPI, facecolor="white", layout="constrained")
     if title:
         figure.suptitle(title, fontsize=FONT_SIZE * 1.3, color=INK)
-    for index, panel in enumerate(panels):
-        _draw(figure, panel, (down, across, index + 1))
+    grid = figure.add_gridspec(len(rows), across, height_ratios=tallest)
+    for row, chosen in enumerate(rows):
+        for column, panel in enumerate(chosen):
+            _draw(figure, figure.add_subplot(grid[row, column]), panel)
     return save_figure(figure, path)
 
 
-def _draw(figure: Figure, panel: Panel, place: tuple[int, int, int]) -> None:
-    axes = figure.add_subplot(*place)
+def _draw(figure: Figure, axes: Axes, panel: Panel) -> None:
     axes.set_title(panel.title, loc="left", fontsize=FONT_SIZE * 1.1, color=INK)
     axes.tick_params(colors=INK, length=3, width=0.6, labelsize=FONT_SIZE * 0.9)
     axes.set_facecolor(_BLANK)
@@ -92,7 +97,7 @@ def _draw(figure: Figure, panel: Panel, place: tuple[int, int, int]) -> None:
     drawn = axes.imshow(
         image, cmap=panel.colours, vmin=low, vmax=high, extent=extent, interpolation="nearest"
     )
-    bar = figure.colorbar(drawn, ax=axes, shrink=0.9, pad=0.02)
+    bar = figure.colorbar(drawn, cax=axes.inset_axes((1.02, 0.0, 0.04, 1.0)))
     bar.set_label(panel.unit, fontsize=FONT_SIZE, color=INK)
     bar.ax.tick_params(colors=INK, length=3, width=0.6, labelsize=FONT_SIZE * 0.9)
 

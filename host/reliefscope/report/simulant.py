@@ -14,6 +14,8 @@ from reliefscope.units import FloatImage
 
 _OBLIQUE_PX = 900
 """Columns of the height map that the oblique view is drawn from."""
+_DRAWN_PERCENT = (0.2, 99.8)
+"""Single wild heights beyond these are not drawn as towers and wells."""
 _BACKGROUND = (0.955, 0.96, 0.968)
 _STEEPEST_DEG = 80.0
 
@@ -69,7 +71,8 @@ def _oblique(result: Reconstruction, picture: FloatImage) -> FloatImage:
     size = (round(columns * factor), round(rows * factor))
     height = _resized(result.height_um, size)
     known = np.isfinite(height)
-    height = np.where(known, height, np.float32(np.nanmin(height))).astype(np.float32)
+    low, high = np.percentile(height[known], _DRAWN_PERCENT)
+    height = np.clip(np.where(known, height, low), low, high).astype(np.float32)
     pixel_um = result.pixel_um * columns / size[0]
     shown = _resized(picture, size)
     if shown.ndim == 2:
