@@ -126,10 +126,7 @@ def _gloss(
 
 def _own_part(generator: np.random.Generator, field: FloatImage, heap: Heap) -> FloatImage:
     """The field shifted by a random amount for every grain, so that patterns end where a grain does."""
-    rows, columns = field.shape
-    shifts = generator.integers(0, (rows, columns), (len(heap.grains) + 1, 2))[heap.grain_index]
-    own: FloatImage = field[
-        (np.arange(rows)[:, None] + shifts[..., 0]) % rows,
-        (np.arange(columns) + shifts[..., 1]) % columns,
-    ]
+    shifts = generator.integers(0, field.size, len(heap.grains) + 1)[heap.grain_index]
+    places = np.arange(field.size).reshape(field.shape) + shifts
+    own: FloatImage = np.take(field, places, mode="wrap")
     return own

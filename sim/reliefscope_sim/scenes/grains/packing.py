@@ -134,8 +134,9 @@ def _contact_points(grain: LooseGrain) -> tuple[Points, Points]:
 
 def _random_rotation(generator: np.random.Generator) -> Points:
     """Uniformly random rotation (3, 3) from a random unit quaternion."""
-    quaternion = generator.normal(size=4)
-    w, x, y, z = quaternion / np.linalg.norm(quaternion)
+    w, x, y, z = generator.normal(size=4).tolist()
+    norm = math.sqrt(w * w + x * x + y * y + z * z)
+    w, x, y, z = w / norm, x / norm, y / norm, z / norm
     return np.array(
         [
             [1 - 2 * (y * y + z * z), 2 * (x * y - z * w), 2 * (x * z + y * w)],

@@ -8,7 +8,7 @@ from __future__ import annotations
 
 import math
 from dataclasses import dataclass
-from functools import cache
+from functools import cache, cached_property
 
 import numpy as np
 from numpy.typing import NDArray
@@ -39,13 +39,13 @@ class GrainShape:
     faces: Faces
     contacts: tuple[Points, ...]
 
-    @property
+    @cached_property
     def extents(self) -> tuple[float, float, float]:
         """Size along the principal axes, longest first."""
         spans = np.ptp(self.vertices, axis=0)
         return float(spans[0]), float(spans[1]), float(spans[2])
 
-    @property
+    @cached_property
     def reach(self) -> float:
         """Largest distance of the surface from the centre of mass."""
         return float(np.linalg.norm(self.vertices, axis=1).max())
