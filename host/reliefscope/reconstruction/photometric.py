@@ -58,6 +58,7 @@ SIGMA_PER_SLANT = 0.022
 """Expected error over the sine of twice the slant: light from neighbouring surfaces flattens, gloss steepens."""
 SIGMA_LEAST_RAD = 0.005
 _CHANGE_BLUR_PX = 2.0
+_FULL_SCALE_PIXELS = 5000
 TOLERATED_RESIDUAL = 0.01
 """Residual, as a fraction of the albedo, that is never held against a light."""
 
@@ -211,7 +212,8 @@ def solve(
         knots = _knots(lights, shape, pixel_um, plane_um)
         knots /= knots[..., 2:].copy()
     if full_scale is None:
-        full_scale = full_scale_of(stack) * float(np.median(gains))
+        step = max(1, math.isqrt(stack[0].size // _FULL_SCALE_PIXELS))
+        full_scale = full_scale_of(stack, step=step) * float(np.median(gains))
     ps_robust_kernels.solve_robust(
         stack,
         gains.astype(np.float32),
@@ -333,14 +335,16 @@ def _score(result: PsResult, full_scale: float) -> None:
     )
 
 
-def full_scale_of(images: FloatImage, percentile: float = FULL_SCALE_PERCENTILE) -> float:
+def full_scale_of(
+    images: FloatImage, percentile: float = FULL_SCALE_PERCENTILE, step: int = 4
+) -> float:
     """Intensity of ``images`` (L, H, W) that counts as full scale.
 
     Eq. 10 weighs the residual against full scale, so it takes the sample for well exposed.  Behind a leaking
     glass it never is: the shut pixels fill a large part of the camera's range, and the frames that are left
     after the subtraction of their light reach a fraction of it.  Full scale is therefore where a well
     exposed frame would have it: at the level that the brightest twentieth of the sample exceeds, so that highlights
-    may clip and the matte part fills the range.
+    may clip and the matte part fills the range.  Every ``step``-th row and column is looked at.
     """
-    level = float(np.nanpercentile(images[:, ::4, ::4], percentile))
+    level = float(np.nanpercentile(images[:, ::step, ::step], percentile))
     return level if level > 0.0 else 1.0
