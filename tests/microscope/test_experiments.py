@@ -1,13 +1,15 @@
 """The paper's experiments end to end, in small."""
 
 import json
+from types import SimpleNamespace
+from typing import ClassVar
 
 import cv2
 import pytest
 
 from reliefscope.errors import InvalidInputError
 from reliefscope.evaluation.table_one import Z_STACK
-from reliefscope.microscope import record_stack, simulant_figures, table_one
+from reliefscope.microscope import record_stack, simulant_figures, table_one, take_z_stage
 from reliefscope.microscope.experiments.z_stage import stage_plan
 from reliefscope.models.instrument import load_profile
 
@@ -23,6 +25,57 @@ def test_wrong_names_are_refused_before_anything_is_taken(tmp_path):
     with pytest.raises(InvalidInputError, match="No microscope that takes stacks"):
         record_stack("/dev/ttyACM0", tmp_path / "stack")
     assert not any(tmp_path.iterdir())
+
+
+class FakeMicroscope:
+    """Notes when it is opened and what is taken."""
+
+    profile = load_profile("benchtop")
+    log: ClassVar[list[str]] = []
+
+    @classmethod
+    def open(cls, device, camera, **_):
+        cls.log.append(f"open {device} {camera}")
+        return cls()
+
+    def __enter__(self):
+        return self
+
+    def __exit__(self, *_):
+        self.log.append("close")
+
+    def acquire(self, plan, out, **_):
+        self.log.append(out.name)
+        return SimpleNamespace(path=out)
+
+
+def test_stage_is_moved_by_hand_or_by_the_address(tmp_path, monkeypatch):
+    monkeypatch.setattr("reliefscope.microscope.experiments.z_stage.Microscope", FakeMicroscope)
+    log = FakeMicroscope.log
+    log.clear()
+
+    def move(height_um):
+        log.append(f"to {height_um:g}")
+
+    runs = take_z_stage("/dev/ttyACM0", [-10.0, 0.0, 10.0], tmp_path / "a", camera="cam", move=move)
+    assert log == [
+        "open /dev/ttyACM0 cam",
+        *("to -10", "stage-0010.0um", "to 0", "stage+0000.0um", "to 10", "stage+0010.0um"),
+        "close",
+    ]
+    assert {path.name: height for path, height in runs.items()} == {
+        "stage-0010.0um": -10.0,
+        "stage+0000.0um": 0.0,
+        "stage+0010.0um": 10.0,
+    }
+    log.clear()
+    take_z_stage("x://y?z={stage_um}", [1.0, 2.5, 4.0], tmp_path / "b", move=move)
+    assert log[:3] == ["open x://y?z=1 None", "stage+0001.0um", "close"]
+    assert log[3] == "open x://y?z=2.5 None"
+    with pytest.raises(InvalidInputError, match="Nobody moves the stage"):
+        take_z_stage("/dev/ttyACM0", [1.0, 2.0, 3.0], tmp_path / "c")
+    with pytest.raises(InvalidInputError, match="2 heights"):
+        take_z_stage("/dev/ttyACM0", [1.0, 2.0, 2.0], tmp_path / "c", move=move)
 
 
 @pytest.mark.parametrize("name", ["benchtop", "miniature"])

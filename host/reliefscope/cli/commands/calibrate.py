@@ -92,6 +92,9 @@ def calibrate_z(
             "Give either runs that were taken, as RUN=UM, or an instrument with --device.",
             hint="For example `reliefscope calibrate z low=-20 middle=0 high=20`.",
         )
+    ask = device is not None and sys.stdin.isatty() and sys.stderr.isatty()
+    if ask and progress is ProgressMode.AUTO:
+        progress = ProgressMode.LINES  # a bar would be drawn over the question
     with session(progress, as_json=as_json) as this:
         from reliefscope import microscope
 
@@ -105,7 +108,7 @@ def calibrate_z(
                 camera=camera,
                 profile=profile,
                 calibration=calibration,
-                move=_ask if sys.stdin.isatty() and sys.stderr.isatty() else None,
+                move=_ask if ask else None,
                 job=this.job,
             )
         found = microscope.calibrate_z(heights, out, keep=store, job=this.job)

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import json
 from collections.abc import Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from importlib.metadata import entry_points
 from pathlib import Path
 from typing import Any, cast
@@ -152,8 +152,7 @@ def focus_pictures(
     )
     settings = {"window": window, "smoothing_px": smoothing_px, "peak": peak}
     outcome = FocusOutcome(stack, result, folder, (), settings)
-    pictures = _write(outcome)
-    return FocusOutcome(stack, result, folder, pictures, settings)
+    return replace(outcome, pictures=_write(outcome))
 
 
 def _write(outcome: FocusOutcome) -> tuple[Path, ...]:
