@@ -71,14 +71,35 @@ def opencv_height(views: NDArray[np.float32], slopes: NDArray[np.float64]) -> ND
 def full_size(
     shape: tuple[int, int], views: int
 ) -> tuple[NDArray[np.float32], NDArray[np.float64]]:
-    """Noise as channels (groups of lights, views, H, W), and slopes: time does not depend on what is seen.
+    """Textured terraces as channels (groups of lights, views, H, W), and slopes.
 
-    The noise is as blurred as the benchtop's apertures blur, so that matching bins it as it bins frames.
+    A floor and, on a third of the field, tops 40 um above it, all as blurred as the benchtop's apertures blur:
+    matching bins them and looks behind their steps as it does with frames.
     """
-    images = np.random.default_rng(1).random((GROUPS, views, *shape), dtype=np.float32)
-    for image in images.reshape(-1, *shape):
-        cv2.GaussianBlur(image, (0, 0), APERTURE_BLUR_UM / PIXEL_UM, dst=image)
-    return images, scenes.hexagon_slopes(views, 0.127)
+    slopes = scenes.hexagon_slopes(views, 0.127)
+    margin = 16
+    wide = (shape[0] + 2 * margin, shape[1] + 2 * margin)
+    rng = np.random.default_rng(1)
+    columns, rows = np.meshgrid(np.arange(wide[1]), np.arange(wide[0]))
+    raised = ((columns // 60 % 3 == 0) & (rows // 60 % 3 != 2)).astype(np.float32)
+    images = np.empty((GROUPS, views, *shape), dtype=np.float32)
+    for channel in images:
+        top, floor = (
+            sum(
+                cv2.GaussianBlur(rng.random(wide, dtype=np.float32), (0, 0), scale) * scale
+                for scale in (APERTURE_BLUR_UM / PIXEL_UM, 6.0, 20.0)
+            )
+            for _ in range(2)
+        )
+        for view, (sx, sy) in zip(channel, slopes, strict=True):
+            cols, down = apparent_shift_px(40.0, (sx, sy), PIXEL_UM)
+            move = np.array([[1, 0, cols], [0, 1, down]])
+            seen, high = (cv2.warpAffine(image, move, wide[::-1]) for image in (top, raised))
+            mixed = cv2.GaussianBlur(
+                seen * high + floor * (1 - high), (0, 0), APERTURE_BLUR_UM / PIXEL_UM
+            )
+            view[...] = mixed[margin:-margin, margin:-margin]
+    return images, slopes
 
 
 def joint_peak_mb(shape: tuple[int, int], views: int) -> float:

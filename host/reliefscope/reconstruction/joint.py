@@ -8,6 +8,8 @@ What differs from the paper's search (:func:`~reliefscope.reconstruction.mvs.mat
   an offset, which correlation does not see.
 - Small windows are correlated, and their scores averaged over a larger one and over the channels; what
   fits best weighs most (:mod:`~reliefscope.reconstruction.joint_kernels`).
+- Beside steps the views that look behind them are asked again
+  (:mod:`~reliefscope.reconstruction.joint_occlusion`).
 - Pixels are binned as far as the apertures' blur leaves nothing finer to match, and the candidate heights
   spaced by parallax on the binned grid.  The peak is refined by a parabola.
 
@@ -19,7 +21,6 @@ whole.
 from __future__ import annotations
 
 import math
-from dataclasses import dataclass
 
 import cv2
 import numpy as np
@@ -28,14 +29,14 @@ from numpy.typing import ArrayLike, NDArray
 from reliefscope.errors import InvalidInputError
 from reliefscope.jobs import Job, ensure_job
 from reliefscope.reconstruction import tiles
-from reliefscope.reconstruction.joint_kernels import expand, score_tile_jointly, window_variance
-from reliefscope.reconstruction.matcher import LEAST_SHARE, Tile
+from reliefscope.reconstruction.joint_kernels import expand, window_variance
+from reliefscope.reconstruction.joint_occlusion import search_behind_steps
+from reliefscope.reconstruction.joint_search import SOFTNESS, Channels, JointSearch, Peaks
+from reliefscope.reconstruction.matcher import Tile
 from reliefscope.reconstruction.matching_error import standard_error
 from reliefscope.reconstruction.mvs import MvsResult, check_baseline, check_views
-from reliefscope.reconstruction.ncc_kernels import pick_heights
 from reliefscope.reconstruction.shifts import (
     TAPS,
-    ShiftPlan,
     plan_shifts,
     valid_span,
 )
@@ -55,9 +56,6 @@ STEP_PX = 0.33
 """Parallax, in binned pixels and against the mean view, between neighbouring candidate heights."""
 NOISE_SHARE = 0.005
 """Variance added to each window's in the denominator, as a share of the median window variance."""
-SOFTNESS = 0.05
-"""Added to what the views of a small window do not share before the harmonic mean
-(:mod:`~reliefscope.reconstruction.joint_kernels`): below it, differences are noise."""
 DARK_SHARE = 0.05
 """Intensity added before the logarithm, as a share of the median intensity."""
 QUALITY_THRESHOLD = 0.1
@@ -73,15 +71,6 @@ DRIFT_PX = 0.05
 """Change within a tile of the shift by telecentricity, in binned pixels, that smaller tiles avoid."""
 JUMP_STEPS = 3.0
 """Difference between neighbours, in steps of height, over which no height is interpolated."""
-
-
-@dataclass(frozen=True, slots=True)
-class _Channels:
-    """Binned logarithms (C, K, H', W') with repeated borders."""
-
-    images: FloatImage
-    margin: int
-    noise_variance: float
 
 
 def light_groups(directions: NDArray[np.float64] | None, count: int) -> list[list[int]]:
@@ -186,91 +175,49 @@ def match_jointly(
     heights = candidate_heights(s, range_um, pixel_um, binning)
     check_baseline(s, heights, pixel_um)
     coarse = (shape[0] // binning, shape[1] // binning)
-    middle = (0.5 * (coarse[0] - 1), 0.5 * (coarse[1] - 1))
     plan = plan_shifts(s, heights, pixel_um * binning, telecentricity_per_um)
     reach = small_window // 2 + large_window // 2
     travel = int(max(np.abs(plan.row_whole).max(), np.abs(plan.col_whole).max()))
     drift = abs(telecentricity_per_um) * float(np.abs(heights).max())
-    travel += math.ceil(drift * max(middle))
+    travel += math.ceil(drift * 0.5 * max(coarse))
     if travel + reach >= min(coarse) // 2:
         raise InvalidInputError(
             f"The range of heights moves a view by {travel * binning} pixels, too far for an image of "
             f"{shape[0]} x {shape[1]}.",
             hint="Check the range of heights, pixel_um and the slopes of the views.",
         )
-    prepared = _prepared(stack, coarse, binning, travel + reach + TAPS, small_window)
-    height_um = np.empty(coarse, dtype=np.float32)
-    quality = np.empty(coarse, dtype=np.float32)
-    peak = np.empty(coarse, dtype=np.float32)
-    curvature = np.empty(coarse, dtype=np.float32)
-    least_scores = math.ceil(LEAST_SHARE * heights.size)
-
-    def plan_at(tile: Tile) -> ShiftPlan:
-        if telecentricity_per_um == 0.0:
-            return plan
-        place = (
-            0.5 * float(tile[0] + tile[1] - 1) - middle[0],
-            0.5 * float(tile[2] + tile[3] - 1) - middle[1],
-        )
-        return plan_shifts(s, heights, pixel_um * binning, telecentricity_per_um, place)
-
-    def work(tile: Tile) -> None:
-        here = plan_at(tile)
-        curves = np.empty(
-            (heights.size, int(tile[1] - tile[0]), int(tile[3] - tile[2])), dtype=np.float32
-        )
-        score_tile_jointly(
-            prepared.images,
-            prepared.margin,
-            here.row_whole,
-            here.col_whole,
-            here.row_weights,
-            here.col_weights,
-            _views_inside(here, tile, coarse, reach),
-            tile,
-            small_window,
-            large_window,
-            prepared.noise_variance,
-            SOFTNESS,
-            curves,
-        )
-        part = (slice(tile[0], tile[1]), slice(tile[2], tile[3]))
-        pick_heights(
-            curves,
-            heights,
-            least_scores,
-            True,
-            height_um[part],
-            quality[part],
-            peak[part],
-            curvature[part],
-        )
-
-    rows = valid_span(plan.row_px, coarse[0], reach)
-    cols = valid_span(plan.col_px, coarse[1], reach)
-    places = _tiles(
+    search = JointSearch(
+        _prepared(stack, coarse, binning, travel + reach + TAPS, small_window),
+        s,
+        heights,
+        pixel_um * binning,
         coarse,
-        (int(rows[0].max()), int(rows[1].min())),
-        (int(cols[0].max()), int(cols[1].min())),
-        drift,
+        small_window,
+        large_window,
+        telecentricity_per_um,
     )
+    peaks = Peaks.empty(coarse)
+    everyone = np.ones(len(s), dtype=np.bool_)
+    places = _tiles(search, drift)
     with ensure_job(job).stage("match", len(places)) as stage:
-        tiles.run_each(work, places, stage)
-    np.clip(height_um, low, high, out=height_um)
-    sigma_um = standard_error(height_um, peak, curvature, SOFTNESS)
+        tiles.run_each(lambda tile: search.find(tile, everyone, peaks.part(tile)), places, stage)
+    search_behind_steps(search, peaks, job)
+    height_um = np.clip(peaks.height_um, low, high)
+    sigma_um = standard_error(height_um, peaks.score, peaks.curvature, SOFTNESS)
     jump = JUMP_STEPS * float(heights[1] - heights[0])
     height_um = _expanded(height_um, shape, binning, jump)
-    quality = _expanded(quality, shape, binning, math.inf)
+    quality = _expanded(peaks.quality, shape, binning, math.inf)
     sigma_um = _expanded(sigma_um, shape, binning, math.inf)
     missing = np.isnan(height_um)
     quality[missing] = 0.0
     sigma_um[missing] = np.inf
-    return MvsResult(height_um, quality, _expanded(peak, shape, binning, math.inf), sigma_um)
+    peak = _expanded(peaks.score, shape, binning, math.inf)
+    return MvsResult(height_um, quality, peak, sigma_um)
 
 
 def _prepared(
     stack: FloatImage, coarse: tuple[int, int], binning: int, margin: int, window: int
-) -> _Channels:
+) -> Channels:
     """Binned logarithms without their means, and the noise floor of their window variances."""
     count, views = stack.shape[:2]
     padded = (count, views, coarse[0] + 2 * margin, coarse[1] + 2 * margin)
@@ -296,32 +243,19 @@ def _prepared(
     places = [(c, k) for c in range(count) for k in range(views)]
     with Job().stage("prepare", len(places)) as stage:
         tiles.run_each(work, places, stage)
-    return _Channels(images, margin, NOISE_SHARE * float(np.median(medians)) + 1e-12)
+    return Channels(images, margin, NOISE_SHARE * float(np.median(medians)) + 1e-12)
 
 
-def _views_inside(
-    plan: ShiftPlan, tile: Tile, shape: tuple[int, int], reach: int
-) -> NDArray[np.bool_]:
-    """Views (N, K) all of whose windows in the tile lie inside the frame."""
-    row_first, row_stop = valid_span(plan.row_px, shape[0], reach)
-    col_first, col_stop = valid_span(plan.col_px, shape[1], reach)
-    inside: NDArray[np.bool_] = (row_first <= tile[0]) & (tile[1] <= row_stop)
-    inside &= (col_first <= tile[2]) & (tile[3] <= col_stop)
-    return inside
-
-
-def _tiles(
-    shape: tuple[int, int],
-    inner_rows: tuple[int, int],
-    inner_cols: tuple[int, int],
-    drift: float,
-) -> list[Tile]:
+def _tiles(search: JointSearch, drift: float) -> list[Tile]:
     """Tiles of the area that all views see, then small ones in the frame around it.
 
     ``drift`` is the change of shift from one pixel to the next by telecentricity.
     """
-    top, bottom = inner_rows
-    left, right = inner_cols
+    shape, plan = search.shape, search.plan
+    row_first, row_stop = valid_span(plan.row_px, shape[0], search.reach)
+    col_first, col_stop = valid_span(plan.col_px, shape[1], search.reach)
+    top, bottom = int(row_first.max()), int(row_stop.min())
+    left, right = int(col_first.max()), int(col_stop.min())
     widest = max(LEAST_TILE, int(2 * DRIFT_PX / drift)) if drift > 0.0 else max(shape)
     rows, columns = min(TILE_ROWS, widest), min(TILE_COLUMNS, widest)
 

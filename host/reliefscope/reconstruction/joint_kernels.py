@@ -194,7 +194,7 @@ def score_tile_jointly(
     softness:
         Added to what the views do not share, above 0: the mean turns from harmonic to arithmetic as it grows.
     curves:
-        (N, rows, cols) output; NaN at heights where fewer than half of the pairs are used.
+        (N, rows, cols) output; NaN at heights where fewer than two views are used.
     """
     channels, views = images.shape[0], images.shape[1]
     inner, outer = small // 2, large // 2
@@ -219,7 +219,7 @@ def score_tile_jointly(
         count = 0
         for k in range(views):
             count += used[n, k]
-        if count < 2 or 2 * count * (count - 1) < views * (views - 1):
+        if count < 2:
             curves[n] = np.nan
             continue
         noise = np.float32(noise_variance * count)

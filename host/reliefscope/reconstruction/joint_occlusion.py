@@ -1,0 +1,96 @@
+"""Second look behind steps: there, only the views that lean away from the higher ground count.
+
+Ground beside a step is hidden from the views that lean over it; what they show there is the wall and its edge,
+which agree on a wrong height.  Where the first search found higher ground on one side of a pixel and lower
+ground on the other, the search is repeated with the half of the views that leans away from the higher side;
+the pixel takes that height where its score is the greater.
+"""
+
+from __future__ import annotations
+
+import numpy as np
+from numpy.typing import NDArray
+
+from reliefscope.jobs import Job, ensure_job
+from reliefscope.reconstruction import tiles
+from reliefscope.reconstruction.joint_search import JointSearch, Peaks
+from reliefscope.reconstruction.matcher import Tile
+from reliefscope.units import BoolImage, FloatImage
+
+STEP = 4.0
+"""Difference of height over the windows, in candidate heights, from which one side may hide the other."""
+BLOCK_ROWS, BLOCK_COLUMNS = 48, 96
+"""Binned pixels that are searched together, where one of them needs it."""
+DIRECTIONS = ((1.0, 0.0), (-1.0, 0.0), (0.0, 1.0), (0.0, -1.0))
+"""Sides (x, y) on which the lower ground may lie."""
+
+
+def search_behind_steps(search: JointSearch, peaks: Peaks, job: Job | None = None) -> None:
+    """Improve ``peaks`` of all views at steps by the views that look there.
+
+    Progress (stage ``look behind steps``, per block) and cancellation by ``job``.
+    """
+    first = peaks.height_um.copy()
+    jobs = []
+    for direction in DIRECTIONS:
+        below = lower_ground(first, direction, search.reach + 1, STEP * search.step_um)
+        among = leaning(search.slopes, direction)
+        jobs.append([(block, below, among) for block in _blocks(below)])
+    with ensure_job(job).stage("look behind steps", sum(map(len, jobs))) as stage:
+        for blocks in jobs:  # one direction after the other: their blocks overlap
+
+            def work(item: tuple[Tile, BoolImage, NDArray[np.bool_]]) -> None:
+                block, below, among = item
+                rows, cols = slice(block[0], block[1]), slice(block[2], block[3])
+                known = peaks.part(block)
+                found = Peaks.empty((int(block[1] - block[0]), int(block[3] - block[2])))
+                search.find(block, among, found)
+                known.take(found, below[rows, cols] & (found.score > known.score))
+
+            tiles.run_each(work, blocks, stage)
+
+
+def lower_ground(
+    height_um: FloatImage, direction: tuple[float, float], reach: int, jump_um: float
+) -> BoolImage:
+    """Pixels (H, W) where the ground falls by more than ``jump_um`` within ``reach`` to either side.
+
+    ``direction`` (x, y) points to the lower side, along an axis, y up.
+    """
+    rows, cols = height_um.shape
+    padded = np.pad(height_um, reach, mode="edge")
+    down, right = -int(direction[1]) * reach, int(direction[0]) * reach
+    low = padded[reach + down : reach + down + rows, reach + right : reach + right + cols]
+    high = padded[reach - down : reach - down + rows, reach - right : reach - right + cols]
+    with np.errstate(invalid="ignore"):
+        falls: BoolImage = high - low > jump_um
+    return falls
+
+
+def leaning(slopes: NDArray[np.float64], direction: tuple[float, float]) -> NDArray[np.bool_]:
+    """The half of the views (K,), rounded up, that leans furthest to one side."""
+    order = np.argsort(-(slopes @ np.asarray(direction)), kind="stable")
+    chosen = np.zeros(len(slopes), dtype=np.bool_)
+    chosen[order[: len(slopes) // 2 + 1]] = True
+    return chosen
+
+
+def _blocks(needed: BoolImage) -> list[Tile]:
+    """The smallest rectangles that hold what is needed of each block."""
+    found = []
+    for top, bottom in tiles.spans(needed.shape[0], BLOCK_ROWS):
+        for left, right in tiles.spans(needed.shape[1], BLOCK_COLUMNS):
+            rows, cols = np.nonzero(needed[top:bottom, left:right])
+            if rows.size:
+                found.append(
+                    np.array(
+                        [
+                            top + rows.min(),
+                            top + rows.max() + 1,
+                            left + cols.min(),
+                            left + cols.max() + 1,
+                        ],
+                        dtype=np.int64,
+                    )
+                )
+    return found
