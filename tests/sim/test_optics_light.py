@@ -77,6 +77,18 @@ def test_shadow_is_as_long_as_height_over_tangent_of_elevation(led, elevation_de
     assert width == pytest.approx(soft, abs=2.0)
 
 
+def test_no_light_comes_through_where_two_towers_touch_in_a_corner():
+    x_um, y_um = ob.coordinates(INSTRUMENT)
+    scene = glossy(np.where((x_um > 0) == (y_um > 0), 30.0, 0.0))
+    place = 30 * np.array([-1.0, 1.0, 0.6]) / math.sqrt(2.36)
+    built = ob.as_built(INSTRUMENT, led_positions_mm=np.tile(place, (16, 1)))
+    direct, _ = lit(scene, built)
+    # Straight behind the corner, and short of the end of the towers' shadow, 30 sqrt(2) / 0.6 = 71 um.
+    behind = [direct[48 + step, 64 + step] for step in range(4, 28)]
+    assert max(behind) < 0.01
+    assert direct[10, 20] > 0.1
+
+
 def test_light_falls_with_the_square_of_distance():
     near = AsBuilt.nominal(INSTRUMENT)
     far = ob.as_built(INSTRUMENT, led_positions_mm=2 * near.led_positions_mm)
