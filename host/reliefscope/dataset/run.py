@@ -37,6 +37,10 @@ log = logging.getLogger(__name__)
 
 MASK_FILE = "mask.png"
 PREFETCH_THREADS = 2
+MONO_SATURATION = 0.995
+MOSAIC_SATURATION = 0.75
+"""Share of full scale from which luminance counts as saturated.  On simulated metal, 97 to 99 % of the counts at full
+scale of a mosaic lie in pixels above it, and practically all of these pixels are next to such a count."""
 
 
 class IncompleteRunWarning(UserWarning):
@@ -262,6 +266,19 @@ class Run:
         else:
             cv2.scaleAdd(offset, -gain, image, dst=image)
         return image
+
+    def saturation_level(self, view: int, light: int) -> FloatImage | float:
+        """Linear luminance, as :meth:`linear` gives it, from which a pixel counts as saturated.
+
+        (H, W), or one for all pixels.  On a mosaic one colour saturates before the luminance does.
+        """
+        share = MOSAIC_SATURATION if self.spec.frame.sensor == "bayer_rggb" else MONO_SATURATION
+        gain = share * self._radiometry.gain(self.record("view", view, light))
+        offset = self._offset("view", light)
+        if offset is None:
+            return gain * (1.0 - self._radiometry.black_level)
+        level: FloatImage = np.float32(gain) * (np.float32(1.0) - offset)
+        return level
 
     def rgb(self, kind: FrameKind, view: int | None, light: int | None) -> FloatImage:
         """Linear red, green and blue (H, W, 3), corrected like :meth:`linear`, without white balance."""
