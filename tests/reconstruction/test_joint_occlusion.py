@@ -1,5 +1,6 @@
 """Second look behind steps: which ground is low, which views look there, and what it gains."""
 
+import numba
 import numpy as np
 import pytest
 from scipy import ndimage
@@ -57,3 +58,17 @@ def test_the_floor_behind_a_wall_is_found_nearer_to_it(monkeypatch: pytest.Monke
         errors.append(float(np.abs(found.height_um - truth)[beside].mean()))
         monkeypatch.setattr(joint, "search_behind_steps", lambda *_: None)
     assert errors[0] < 0.85 * errors[1], errors
+
+
+def test_the_number_of_threads_does_not_matter() -> None:
+    views, slopes, _ = wall(60, 40.0, (112, 128), 0.6)
+    threads = numba.get_num_threads()
+    found = []
+    try:
+        for count in (1, min(2, numba.config.NUMBA_NUM_THREADS)):
+            numba.set_num_threads(count)
+            found.append(joint.match_jointly(views, slopes, (-10.0, 60.0), PIXEL_UM))
+    finally:
+        numba.set_num_threads(threads)
+    for one, other in zip(*((f.height_um, f.quality, f.sigma_um) for f in found), strict=True):
+        assert np.array_equal(one, other, equal_nan=True)

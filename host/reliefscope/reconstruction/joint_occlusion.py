@@ -28,26 +28,26 @@ DIRECTIONS = ((1.0, 0.0), (-1.0, 0.0), (0.0, 1.0), (0.0, -1.0))
 def search_behind_steps(search: JointSearch, peaks: Peaks, job: Job | None = None) -> None:
     """Improve ``peaks`` of all views at steps by the views that look there.
 
-    Progress (stage ``look behind steps``, per block) and cancellation by ``job``.
+    ``job`` may stop it between two directions.
     """
     first = peaks.height_um.copy()
-    jobs = []
-    for direction in DIRECTIONS:
+    for direction in DIRECTIONS:  # one after the other: their blocks overlap
+        ensure_job(job).check()
         below = lower_ground(first, direction, search.reach + 1, STEP * search.step_um)
-        among = leaning(search.slopes, direction)
-        jobs.append([(block, below, among) for block in _blocks(below)])
-    with ensure_job(job).stage("look behind steps", sum(map(len, jobs))) as stage:
-        for blocks in jobs:  # one direction after the other: their blocks overlap
+        _look(search, peaks, below, leaning(search.slopes, direction))
 
-            def work(item: tuple[Tile, BoolImage, NDArray[np.bool_]]) -> None:
-                block, below, among = item
-                rows, cols = slice(block[0], block[1]), slice(block[2], block[3])
-                known = peaks.part(block)
-                found = Peaks.empty((int(block[1] - block[0]), int(block[3] - block[2])))
-                search.find(block, among, found)
-                known.take(found, below[rows, cols] & (found.score > known.score))
 
-            tiles.run_each(work, blocks, stage)
+def _look(search: JointSearch, peaks: Peaks, below: BoolImage, among: NDArray[np.bool_]) -> None:
+    def work(block: Tile) -> None:
+        known = peaks.part(block)
+        found = Peaks.empty((int(block[1] - block[0]), int(block[3] - block[2])))
+        search.find(block, among, found)
+        needed = below[block[0] : block[1], block[2] : block[3]]
+        known.take(found, needed & (found.score > known.score))
+
+    blocks = _blocks(below)
+    with Job().stage("look behind steps", len(blocks)) as stage:
+        tiles.run_each(work, blocks, stage)
 
 
 def lower_ground(
