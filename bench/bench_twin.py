@@ -75,7 +75,7 @@ def _peer_s(
     radiance: FloatImage = np.ascontiguousarray(
         sample.albedo.reshape(*sample.height_um.shape, -1)[..., 0]
     )
-    points = Pupil(profile, as_built).points(bitmap, 1.0)
+    points = Pupil(profile, as_built).pixels(bitmap)
     slopes = points.position_mm / (as_built.pupil_scale * profile.optics.objective_focal_mm)
     height_px = sample.height_um / np.float32(sample.pixel_um)
     rows, columns = np.indices(height_px.shape, dtype=np.float32)
