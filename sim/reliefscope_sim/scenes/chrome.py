@@ -25,7 +25,8 @@ def chrome(seed: int, options: Options, shape: tuple[int, int], pixel_um: float)
 
     What the lobe can render is a mirror with a haze: ``roughness`` is its GGX width.  The default spreads a light
     about as wide on the ball as its lens and the open disc of the glass do; smaller ones make highlights that
-    are narrower than on a real instrument, because the renderer takes an open disc for one direction.  Mirrors show no pictures of each other or of the plate: between surfaces all light is diffuse.
+    are narrower than on a real instrument, because the renderer takes an open disc for one direction.  Mirrors
+    show no pictures of each other or of the plate: between surfaces all light is diffuse.
     """
     del seed  # nothing is random about it
     target = options.choice("target", "ball", ("ball", "balls", "flat"))
