@@ -41,6 +41,7 @@ from reliefscope.errors import InvalidInputError
 from reliefscope.jobs import Job, ensure_job
 from reliefscope.reconstruction import conjugate_gradients, uncertainty
 from reliefscope.reconstruction import joint_fusion_kernels as kernels
+from reliefscope.reconstruction.halving import averaged, doubled
 from reliefscope.reconstruction.systems import SpringSystem
 from reliefscope.units import FloatImage
 
@@ -67,17 +68,17 @@ BIAS_PRIOR = 0.02
 LEAST_NZ = 0.1
 """Bound of n_z: steeper slopes (84 degrees) are not measured."""
 LEAST_SIGMA_UM = 0.05
-LEAST_SIGMA_RAD = 0.02
-"""Standard errors are not smaller: what calibration of lights and pixels leaves."""
+LEAST_SIGMA_RAD, GREATEST_SIGMA_RAD = 0.02, 0.3
+"""Bounds of the standard errors: what calibration of lights and pixels leaves; what any shading still tells."""
 WEAKEST_HOLD = 1e-8
 """Weight per um^2 that ties a pixel without a height to the median height."""
-TOLERANCE_UM = 0.02
-"""Estimated RMS distance to the exact minimum at which a linear system is solved."""
+TOLERANCE_UM = 0.04
+"""Estimated RMS distance to the exact minimum at which the last linear system is solved."""
+ROUND_ITERATIONS = 6
+"""Iterations of the solver in a round that another follows: its weights are provisional anyway."""
 MAXIMUM_ITERATIONS = 100
 LEAST_SIDE = 32
 """Images with a shorter side are not halved."""
-JUMP_UM = 6.0
-"""Difference between neighbours on the half-size grid over which no height is interpolated."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -164,14 +165,14 @@ def fuse_robust(
         coarse = _halved(fine) if min(fine.height_um.shape) >= 2 * LEAST_SIDE else fine
         springs = _Springs(coarse)
         for scale in COARSE_SCALES:
-            springs.solve(scale, job)
+            springs.solve(scale, job, last=coarse is fine and scale == COARSE_SCALES[-1])
             stage.advance()
         deviation = uncertainty.sampled_deviation(springs.system, job)
         if coarse is not fine:
             bias, start = springs.bias, springs.z
             springs = _Springs(fine, bias, start)
             for scale in FINE_SCALES:
-                springs.solve(scale, job)
+                springs.solve(scale, job, last=scale == FINE_SCALES[-1])
                 iterations += springs.iterations
                 stage.advance()
     height = springs.z.astype(np.float32)
@@ -185,7 +186,7 @@ class _Springs:
     """The robust problem on one grid: measurements, surface ``z`` (H, W) and how well it was solved."""
 
     def __init__(
-        self, grid: _Grid, bias: _Bias | None = None, start_um: NDArray[np.float64] | None = None
+        self, grid: _Grid, bias: _Bias | None = None, start_um: Real | None = None
     ) -> None:
         shape = grid.height_um.shape
         known = np.isfinite(grid.height_um) & np.isfinite(grid.sigma_um)
@@ -216,7 +217,7 @@ class _Springs:
         self._factors = _edges(grid.images, shape)
         sigma = CORRELATION * np.maximum(grid.sigma_um, np.float32(LEAST_SIGMA_UM))
         self._hold = np.where(known, np.maximum(sigma**-2, WEAKEST_HOLD), WEAKEST_HOLD)
-        self.z = self._target.astype(np.float64) if start_um is None else _doubled(start_um, shape)
+        self.z = (self._target if start_um is None else doubled(start_um, shape)).astype(np.float64)
         self._solved: SpringSystem | None = None
         self.iterations = 0
         self.error_um = math.inf
@@ -227,7 +228,7 @@ class _Springs:
         assert self._solved is not None  # there was a round
         return self._solved
 
-    def solve(self, scale: float, job: Job) -> None:
+    def solve(self, scale: float, job: Job, *, last: bool) -> None:
         """Reweight the springs at the present surface and solve for the next one."""
         springs, wanted = [], []
         z = self.z.astype(np.float32)
@@ -250,7 +251,11 @@ class _Springs:
             wanted.append(rise)
         self._solved = SpringSystem(self._hold, self._target, *springs, *wanted)
         solution = conjugate_gradients.solve(
-            self._solved, self.z, TOLERANCE_UM, MAXIMUM_ITERATIONS, job
+            self._solved,
+            self.z,
+            TOLERANCE_UM,
+            MAXIMUM_ITERATIONS if last else ROUND_ITERATIONS,
+            job,
         )
         self.z, self.iterations = solution.z, solution.iterations
         self.error_um = solution.error_um
@@ -294,25 +299,19 @@ def _edges(images: FloatImage | None, shape: tuple[int, ...]) -> tuple[FloatImag
 
 def _halved(fine: _Grid) -> _Grid:
     """Every second height, so that none lies between the two sides of a step; mean normals and images."""
-    rows, columns = fine.height_um.shape
-    size = ((columns + 1) // 2, (rows + 1) // 2)
-    normals = _area(fine.normals, size)
+    normals = averaged(fine.normals)
     normals /= np.maximum(np.linalg.norm(normals, axis=-1, keepdims=True), np.float32(1e-6))
     images = None
     if fine.images is not None:
-        images = np.stack([_area(image, size) for image in fine.images])
+        images = np.stack([averaged(image) for image in fine.images])
     return _Grid(
         fine.height_um[::2, ::2],
         fine.sigma_um[::2, ::2],
         normals,
-        _area(fine.sigma_rad, size),
+        averaged(fine.sigma_rad),
         images,
         2 * fine.pixel_um,
     )
-
-
-def _area(image: FloatImage, size: tuple[int, int]) -> FloatImage:
-    return np.asarray(cv2.resize(image, size, interpolation=cv2.INTER_AREA), np.float32)
 
 
 def _resized(bias: _Bias, shape: tuple[int, ...]) -> _Bias:
@@ -322,17 +321,6 @@ def _resized(bias: _Bias, shape: tuple[int, ...]) -> _Bias:
         np.asarray(cv2.resize(part, shape[::-1]), np.float32) for part in (bias.across, bias.down)
     )
     return _Bias(across, down)
-
-
-def _doubled(z: NDArray[np.float64], shape: tuple[int, ...]) -> NDArray[np.float64]:
-    """Surface of the half-size grid on the full one: linear, but the nearest value at steps."""
-    coarse = z.astype(np.float32)
-    smooth = cv2.resize(coarse, shape[::-1], interpolation=cv2.INTER_LINEAR)
-    nearest = cv2.resize(coarse, shape[::-1], interpolation=cv2.INTER_NEAREST)
-    window = np.ones((3, 3), np.uint8)
-    steep = cv2.dilate(coarse, window) - cv2.erode(coarse, window) > JUMP_UM
-    at_step = cv2.resize(steep.astype(np.uint8), shape[::-1], interpolation=cv2.INTER_NEAREST)
-    return np.where(at_step > 0, nearest, smooth).astype(np.float64)
 
 
 def _checked(
@@ -372,12 +360,16 @@ def _checked(
             "No height has a finite standard error; there is nothing to hang a surface on.",
             hint="Look at the quality of stereo: exposure, focus and the height range are likely causes.",
         )
-    sigma_rad = np.where(np.isnan(normal_sigma_rad), np.inf, normal_sigma_rad)
+    bounded = np.where(
+        np.isfinite(normal_sigma_rad),
+        np.clip(normal_sigma_rad, LEAST_SIGMA_RAD, GREATEST_SIGMA_RAD),
+        np.float32(np.inf),
+    )
     return _Grid(
         np.asarray(height_um, np.float32),
         np.where(known, height_sigma_um, np.float32(np.inf)).astype(np.float32),
         np.nan_to_num(np.ascontiguousarray(normals, np.float32)),
-        np.maximum(sigma_rad, LEAST_SIGMA_RAD).astype(np.float32),
+        bounded.astype(np.float32),
         None if images is None else np.ascontiguousarray(images, np.float32),
         pixel_um,
     )

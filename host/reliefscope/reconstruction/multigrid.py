@@ -32,9 +32,13 @@ _SHARED = 40_000
 
 @dataclass(frozen=True, slots=True)
 class _Level:
-    """One grid; ``weights`` lead from the next coarser one and are None on the coarsest."""
+    """One grid; ``weights`` lead from the next coarser one and are None on the coarsest.
+
+    Arrays but ``weights`` have a margin of zeros.  ``inverse`` of the diagonal is 0 where nothing holds a pixel.
+    """
 
     couplings: FloatImage
+    inverse: FloatImage
     weights: FloatImage | None
     solution: FloatImage
     right: FloatImage
@@ -60,21 +64,23 @@ class Multigrid:
         self._sweeps = sweeps
         self._levels: list[_Level] = []
         height, width = hold.shape
-        couplings = np.empty((5, height, width), np.float32)
+        couplings = np.zeros((5, height + 2, width + 2), np.float32)
         kernels.from_springs(hold, across, down, couplings)
         while height * width > _COARSEST and min(height, width) > 1:
             rows, columns = (height + 1) // 2, (width + 1) // 2
             weights = np.empty((rows, columns, 3, 3), np.float32)
             kernels.interpolation(couplings, weights)
             self._append(couplings, weights)
-            coarse = np.empty((5, rows, columns), np.float32)
+            coarse = np.zeros((5, rows + 2, columns + 2), np.float32)
             kernels.coarsen(couplings, weights, coarse)
             couplings, height, width = coarse, rows, columns
         self._append(couplings, None)
 
     def _append(self, couplings: FloatImage, weights: FloatImage | None) -> None:
         room = [np.zeros(couplings.shape[1:], np.float32) for _ in range(3)]
-        self._levels.append(_Level(couplings, weights, *room))
+        diagonal = couplings[kernels.DIAGONAL]
+        inverse = np.divide(1, diagonal, out=np.zeros_like(diagonal), where=diagonal > 0)
+        self._levels.append(_Level(couplings, inverse, weights, *room))
 
     @property
     def depth(self) -> int:
@@ -89,29 +95,35 @@ class Multigrid:
             self._down_and_up(levels, residual, threads)
         finally:
             numba.set_num_threads(threads)
-        out[...] = levels[0].solution
+        kernels.leave(levels[0].solution, out)
 
     def _down_and_up(
         self, levels: list[_Level], residual: NDArray[np.float64], threads: int
     ) -> None:
-        levels[0].right[...] = residual
+        kernels.enter(residual, levels[0].right)
         for level, coarser in zip(levels, [*levels[1:], None], strict=True):
             level.solution.fill(0.0)
             numba.set_num_threads(threads if level.solution.size >= _SHARED else 1)
-            self._smooth(level, range(4))
+            self._smooth(level, up=False)
             if level.weights is not None and coarser is not None:
-                kernels.residual(level.couplings, level.right, level.solution, level.residual)
+                finest = level is levels[0]
+                find_residual = kernels.residual_five if finest else kernels.residual
+                find_residual(level.couplings, level.right, level.solution, level.residual)
                 kernels.restrict(level.weights, level.residual, coarser.right)
         coarser = None
         for level in reversed(levels):
             numba.set_num_threads(threads if level.solution.size >= _SHARED else 1)
             if level.weights is not None and coarser is not None:
                 kernels.prolong(level.weights, coarser.solution, level.solution)
-            self._smooth(level, range(3, -1, -1))
+            self._smooth(level, up=True)
             coarser = level
 
-    def _smooth(self, level: _Level, colours: range) -> None:
+    def _smooth(self, level: _Level, *, up: bool) -> None:
+        """Gauss-Seidel in two colours on the finest level, which has no diagonal neighbours, else in four."""
+        finest = level is self._levels[0]
+        smooth = kernels.smooth_five if finest else kernels.smooth
+        colours = range(2 if finest else 4)
         sweeps = self._sweeps if level.weights is not None else _COARSEST_SWEEPS
         for _ in range(sweeps):
-            for colour in colours:
-                kernels.smooth(level.couplings, level.right, level.solution, colour)
+            for colour in reversed(colours) if up else colours:
+                smooth(level.couplings, level.inverse, level.right, level.solution, colour)

@@ -1,9 +1,10 @@
 """Compiled parts of the multigrid: nine-point stencils, their coarsening, smoothing and transfer.
 
-A stencil is stored as ``couplings`` (5, H, W) float32: the diagonal, then what joins a pixel to its
-neighbours east, south, south-east and south-west (positive: a spring that pulls the two together);
-the other four follow from symmetry.  Interpolation is stored per coarse pixel as the weights (3, 3)
-with which it enters the fine pixels around it.
+A stencil is stored as ``couplings`` (5, H + 2, W + 2) float32: the diagonal, then what joins a pixel to its
+neighbours east, south, south-east and south-west (positive: a spring that pulls the two together); the other four
+follow from symmetry.  Stencils and images have a margin of one pixel of zeros, so that no loop has to ask where the
+border is; row and column below count from the first pixel within it.  Interpolation is stored per coarse pixel
+as the weights (3, 3) with which it enters the fine pixels around it.
 """
 
 from __future__ import annotations
@@ -32,67 +33,30 @@ def from_springs(
                 total += across[row, column - 1]
             if row > 0:
                 total += down[row - 1, column]
-            couplings[DIAGONAL, row, column] = total
-            couplings[EAST, row, column] = east
-            couplings[SOUTH, row, column] = south
-            couplings[SOUTH_EAST, row, column] = 0.0
-            couplings[SOUTH_WEST, row, column] = 0.0
+            couplings[DIAGONAL, row + 1, column + 1] = total
+            couplings[EAST, row + 1, column + 1] = east
+            couplings[SOUTH, row + 1, column + 1] = south
 
 
 @njit(cache=True)
-def _joint(a: FloatImage, row: int, column: int, dy: int, dx: int) -> np.float32:
-    """Coupling between (row, column) and (row + dy, column + dx); zero beyond the border."""
-    height, width = a.shape[1:]
-    r = row + dy
-    c = column + dx
-    value = np.float32(0)
-    if 0 <= r < height and 0 <= c < width:
-        if dy == 0:
-            value = a[EAST, row, min(column, c)]
-        else:
-            # as seen from the upper of the two pixels
-            upper = row if dy > 0 else r
-            start = column if dy > 0 else c
-            sideways = dx if dy > 0 else -dx
-            if sideways == 0:
-                value = a[SOUTH, upper, start]
-            elif sideways > 0:
-                value = a[SOUTH_EAST, upper, start]
-            else:
-                value = a[SOUTH_WEST, upper, start]
-    return value
-
-
-@njit(cache=True)
-def _between_columns(a: FloatImage, row: int, column: int, side: int) -> np.float32:
-    """Share of the coarse pixel on ``side`` (-1 or 1) in the pixel between two of a row."""
-    height, width = a.shape[1:]
-    if column >= width or row >= height or column < 0:
-        return np.float32(0)
-    total = a[DIAGONAL, row, column]
-    total -= _joint(a, row, column, -1, 0) + _joint(a, row, column, 1, 0)
-    pull = _joint(a, row, column, -1, side) + _joint(a, row, column, 0, side)
-    pull += _joint(a, row, column, 1, side)
-    other = _joint(a, row, column, -1, -side) + _joint(a, row, column, 0, -side)
-    other += _joint(a, row, column, 1, -side)
-    total = max(total, pull + other)
-    return pull / total if pull > 0 else np.float32(0)
-
-
-@njit(cache=True)
-def _between_rows(a: FloatImage, row: int, column: int, side: int) -> np.float32:
-    """Share of the coarse pixel on ``side`` (-1 above, 1 below) in the pixel between two of a column."""
-    height, width = a.shape[1:]
-    if column >= width or row >= height or row < 0:
-        return np.float32(0)
-    total = a[DIAGONAL, row, column]
-    total -= _joint(a, row, column, 0, -1) + _joint(a, row, column, 0, 1)
-    pull = _joint(a, row, column, side, -1) + _joint(a, row, column, side, 0)
-    pull += _joint(a, row, column, side, 1)
-    other = _joint(a, row, column, -side, -1) + _joint(a, row, column, -side, 0)
-    other += _joint(a, row, column, -side, 1)
-    total = max(total, pull + other)
-    return pull / total if pull > 0 else np.float32(0)
+def _sides(a: FloatImage, y: int, x: int, rows: bool) -> tuple[np.float32, np.float32]:
+    """Shares of the two coarse pixels beside the pixel at (y, x) of the arrays: left and right, or up and down."""
+    north, south = a[SOUTH, y - 1, x], a[SOUTH, y, x]
+    west, east = a[EAST, y, x - 1], a[EAST, y, x]
+    north_west, north_east = a[SOUTH_EAST, y - 1, x - 1], a[SOUTH_WEST, y - 1, x + 1]
+    south_west, south_east = a[SOUTH_WEST, y, x], a[SOUTH_EAST, y, x]
+    if rows:
+        first = north_west + north + north_east
+        second = south_west + south + south_east
+        along = west + east
+    else:
+        first = north_west + west + south_west
+        second = north_east + east + south_east
+        along = north + south
+    total = max(a[DIAGONAL, y, x] - along, first + second)
+    if total > 0:
+        return first / total, second / total
+    return np.float32(0), np.float32(0)
 
 
 @njit(cache=True, parallel=True)
@@ -103,141 +67,191 @@ def interpolation(a: FloatImage, weights: FloatImage) -> None:
     between four by its own equation (Alcouffe, Brandt, Dendy and Painter): heights are not
     interpolated across a place where the springs are cut.
     """
-    height, width = a.shape[1:]
+    height, width = a.shape[1] - 2, a.shape[2] - 2
     rows, columns = weights.shape[:2]
-    for i in prange(rows):
-        r = 2 * i
-        for j in range(columns):
-            c = 2 * j
-            weights[i, j, 1, 1] = 1.0
-            for side in (-1, 1):
-                weights[i, j, 1, 1 + side] = _between_columns(a, r, c + side, -side)
-                weights[i, j, 1 + side, 1] = _between_rows(a, r + side, c, -side)
-            for dy in (-1, 1):
-                for dx in (-1, 1):
-                    y = r + dy
-                    x = c + dx
-                    value = np.float32(0)
-                    if 0 <= y < height and 0 <= x < width and a[DIAGONAL, y, x] > 0:
-                        value = _joint(a, y, x, -dy, -dx)
-                        value += _joint(a, y, x, -dy, 0) * _between_columns(a, r, x, -dx)
-                        value += _joint(a, y, x, 0, -dx) * _between_rows(a, y, c, -dy)
-                        value /= a[DIAGONAL, y, x]
-                    weights[i, j, 1 + dy, 1 + dx] = value
+    weights[...] = 0.0
+    for parity in range(2):
+        # pixels right of and below a coarse one write to two coarse pixels: even ones, then odd ones
+        for half in prange((rows - parity + 1) // 2):
+            i = 2 * half + parity
+            y = 2 * i + 1
+            for j in range(columns):
+                x = 2 * j + 1
+                weights[i, j, 1, 1] = 1.0
+                right = 2 * j + 1 < width
+                below = 2 * i + 1 < height
+                if right:
+                    left_share, right_share = _sides(a, y, x + 1, False)
+                    weights[i, j, 1, 2] = left_share
+                    if j + 1 < columns:
+                        weights[i, j + 1, 1, 0] = right_share
+                if below:
+                    upper_share, lower_share = _sides(a, y + 1, x, True)
+                    weights[i, j, 2, 1] = upper_share
+                    if i + 1 < rows:
+                        weights[i + 1, j, 0, 1] = lower_share
+    for parity in range(2):
+        for half in prange((rows - parity + 1) // 2):
+            i = 2 * half + parity
+            for j in range(columns):
+                y, x = 2 * i + 2, 2 * j + 2
+                if y <= height and x <= width and a[DIAGONAL, y, x] > 0:
+                    _centre(a, weights, i, j, y, x)
+
+
+@njit(cache=True)
+def _centre(a: FloatImage, weights: FloatImage, i: int, j: int, y: int, x: int) -> None:
+    """Weights of up to four coarse pixels in the one between them, at (y, x) of the arrays."""
+    rows, columns = weights.shape[:2]
+    inverse = 1 / a[DIAGONAL, y, x]
+    north, south = a[SOUTH, y - 1, x], a[SOUTH, y, x]
+    west, east = a[EAST, y, x - 1], a[EAST, y, x]
+    lower, more = i + 1 < rows, j + 1 < columns
+    value = a[SOUTH_EAST, y - 1, x - 1] + north * weights[i, j, 1, 2] + west * weights[i, j, 2, 1]
+    weights[i, j, 2, 2] = value * inverse
+    if more:
+        value = a[SOUTH_WEST, y - 1, x + 1] + north * weights[i, j + 1, 1, 0]
+        value += east * weights[i, j + 1, 2, 1]
+        weights[i, j + 1, 2, 0] = value * inverse
+    if lower:
+        value = a[SOUTH_WEST, y, x] + south * weights[i + 1, j, 1, 2]
+        value += west * weights[i + 1, j, 0, 1]
+        weights[i + 1, j, 0, 2] = value * inverse
+    if lower and more:
+        value = a[SOUTH_EAST, y, x] + south * weights[i + 1, j + 1, 1, 0]
+        value += east * weights[i + 1, j + 1, 0, 1]
+        weights[i + 1, j + 1, 0, 0] = value * inverse
 
 
 @njit(cache=True, parallel=True)
 def coarsen(a: FloatImage, weights: FloatImage, coarse: FloatImage) -> None:
     """Galerkin stencil of the coarse grid: P' A P, so that no coarse move is judged softer than it is."""
-    height, width = a.shape[1:]
+    height, width = a.shape[1] - 2, a.shape[2] - 2
     rows, columns = weights.shape[:2]
     for i in prange(rows):
-        image = np.empty((5, 5), np.float64)
+        image = np.empty((5, 5), np.float32)
         for j in range(columns):
             image[:] = 0.0
             # A applied to the column of P that belongs to (i, j): a 5 x 5 patch around (2 i, 2 j)
-            for dy in range(-1, 2):
-                for dx in range(-1, 2):
-                    y = 2 * i + dy
+            for dy in range(3):
+                y = 2 * i + dy
+                for dx in range(3):
                     x = 2 * j + dx
-                    p = weights[i, j, 1 + dy, 1 + dx]
-                    if p == 0 or y < 0 or y >= height or x < 0 or x >= width:
+                    p = weights[i, j, dy, dx]
+                    if p == 0 or y < 1 or y > height or x < 1 or x > width:
                         continue
-                    image[2 + dy, 2 + dx] += p * a[DIAGONAL, y, x]
-                    for ny in range(-1, 2):
-                        for nx in range(-1, 2):
-                            if ny != 0 or nx != 0:
-                                image[2 + dy + ny, 2 + dx + nx] -= p * _joint(a, y, x, ny, nx)
-            for part in range(5):
-                di = 0 if part <= EAST else 1
-                dj = 0
-                if part in (EAST, SOUTH_EAST):
-                    dj = 1
-                elif part == SOUTH_WEST:
-                    dj = -1
-                total = 0.0
-                if i + di < rows and 0 <= j + dj < columns:
-                    for dy in range(-1, 2):
-                        for dx in range(-1, 2):
-                            y = 2 + 2 * di + dy
-                            x = 2 + 2 * dj + dx
-                            if y < 5 and 0 <= x < 5:
-                                total += weights[i + di, j + dj, 1 + dy, 1 + dx] * image[y, x]
-                coarse[part, i, j] = total if part == DIAGONAL else -total
-
-
-@njit(cache=True, parallel=True)
-def smooth(a: FloatImage, right: FloatImage, z: FloatImage, colour: int) -> None:
-    """Solve every pixel of one of the four colours (row parity, column parity) for its own equation."""
-    height, width = z.shape
-    first = colour // 2
-    for half in prange((height - first + 1) // 2):
-        row = 2 * half + first
-        for column in range(colour % 2, width, 2):
-            diagonal = a[DIAGONAL, row, column]
-            if diagonal > 0:
-                z[row, column] = (right[row, column] + _pull(a, z, row, column)) / diagonal
+                    image[dy + 1, dx + 1] += p * a[DIAGONAL, y, x]
+                    image[dy + 1, dx] -= p * a[EAST, y, x - 1]
+                    image[dy + 1, dx + 2] -= p * a[EAST, y, x]
+                    image[dy, dx + 1] -= p * a[SOUTH, y - 1, x]
+                    image[dy + 2, dx + 1] -= p * a[SOUTH, y, x]
+                    image[dy, dx] -= p * a[SOUTH_EAST, y - 1, x - 1]
+                    image[dy + 2, dx + 2] -= p * a[SOUTH_EAST, y, x]
+                    image[dy, dx + 2] -= p * a[SOUTH_WEST, y - 1, x + 1]
+                    image[dy + 2, dx] -= p * a[SOUTH_WEST, y, x]
+            coarse[DIAGONAL, i + 1, j + 1] = _product(weights, i, j, image, 0, 0)
+            if j + 1 < columns:
+                coarse[EAST, i + 1, j + 1] = -_product(weights, i, j, image, 0, 1)
+            if i + 1 < rows:
+                coarse[SOUTH, i + 1, j + 1] = -_product(weights, i, j, image, 1, 0)
+                if j + 1 < columns:
+                    coarse[SOUTH_EAST, i + 1, j + 1] = -_product(weights, i, j, image, 1, 1)
+                if j > 0:
+                    coarse[SOUTH_WEST, i + 1, j + 1] = -_product(weights, i, j, image, 1, -1)
 
 
 @njit(cache=True)
-def _pull(a: FloatImage, z: FloatImage, row: int, column: int) -> np.float32:
-    """Sum of coupling times height over the eight neighbours."""
-    height, width = z.shape
-    west = column > 0
-    east = column < width - 1
-    total = np.float32(0)
-    if west:
-        total += a[EAST, row, column - 1] * z[row, column - 1]
-    if east:
-        total += a[EAST, row, column] * z[row, column + 1]
-    if row > 0:
-        total += a[SOUTH, row - 1, column] * z[row - 1, column]
-        if west:
-            total += a[SOUTH_EAST, row - 1, column - 1] * z[row - 1, column - 1]
-        if east:
-            total += a[SOUTH_WEST, row - 1, column + 1] * z[row - 1, column + 1]
-    if row < height - 1:
-        total += a[SOUTH, row, column] * z[row + 1, column]
-        if west:
-            total += a[SOUTH_WEST, row, column] * z[row + 1, column - 1]
-        if east:
-            total += a[SOUTH_EAST, row, column] * z[row + 1, column + 1]
+def _product(weights: FloatImage, i: int, j: int, image: FloatImage, di: int, dj: int) -> float:
+    """Inner product of the patch around (2 i, 2 j) with the column of P of (i + di, j + dj)."""
+    total = 0.0
+    for dy in range(max(0, -2 * di), 3 if di == 0 else 2):
+        for dx in range(1 if dj < 0 else 0, 2 if dj > 0 else 3):
+            total += weights[i + di, j + dj, dy, dx] * image[1 + 2 * di + dy, 1 + 2 * dj + dx]
     return total
+
+
+@njit(cache=True, parallel=True)
+def smooth(
+    a: FloatImage, inverse: FloatImage, right: FloatImage, z: FloatImage, colour: int
+) -> None:
+    """Solve every pixel of one of the four colours (row parity, column parity) for its own equation."""
+    height, width = z.shape[0] - 2, z.shape[1] - 2
+    first = colour // 2
+    for half in prange((height - first + 1) // 2):
+        y = 2 * half + first + 1
+        for x in range(1 + colour % 2, width + 1, 2):
+            z[y, x] = (right[y, x] + _pull(a, z, y, x)) * inverse[y, x]
+
+
+@njit(cache=True, parallel=True)
+def smooth_five(
+    a: FloatImage, inverse: FloatImage, right: FloatImage, z: FloatImage, colour: int
+) -> None:
+    """:func:`smooth` for stencils without diagonal neighbours, which need two colours only."""
+    height, width = z.shape[0] - 2, z.shape[1] - 2
+    for row in prange(height):
+        y = row + 1
+        for x in range(1 + (row + colour) % 2, width + 1, 2):
+            total = right[y, x] + a[EAST, y, x - 1] * z[y, x - 1] + a[EAST, y, x] * z[y, x + 1]
+            total += a[SOUTH, y - 1, x] * z[y - 1, x] + a[SOUTH, y, x] * z[y + 1, x]
+            z[y, x] = total * inverse[y, x]
+
+
+@njit(cache=True)
+def _pull(a: FloatImage, z: FloatImage, y: int, x: int) -> np.float32:
+    """Sum of coupling times height over the eight neighbours."""
+    return (
+        a[EAST, y, x - 1] * z[y, x - 1]
+        + a[EAST, y, x] * z[y, x + 1]
+        + a[SOUTH, y - 1, x] * z[y - 1, x]
+        + a[SOUTH, y, x] * z[y + 1, x]
+        + a[SOUTH_EAST, y - 1, x - 1] * z[y - 1, x - 1]
+        + a[SOUTH_EAST, y, x] * z[y + 1, x + 1]
+        + a[SOUTH_WEST, y - 1, x + 1] * z[y - 1, x + 1]
+        + a[SOUTH_WEST, y, x] * z[y + 1, x - 1]
+    )
 
 
 @njit(cache=True, parallel=True)
 def residual(a: FloatImage, right: FloatImage, z: FloatImage, out: FloatImage) -> None:
     """``out = right - A z``."""
-    height, width = z.shape
+    height, width = z.shape[0] - 2, z.shape[1] - 2
     for row in prange(height):
-        for column in range(width):
-            value = right[row, column] - a[DIAGONAL, row, column] * z[row, column]
-            out[row, column] = value + _pull(a, z, row, column)
+        y = row + 1
+        for x in range(1, width + 1):
+            out[y, x] = right[y, x] - a[DIAGONAL, y, x] * z[y, x] + _pull(a, z, y, x)
+
+
+@njit(cache=True, parallel=True)
+def residual_five(a: FloatImage, right: FloatImage, z: FloatImage, out: FloatImage) -> None:
+    """:func:`residual` for stencils without diagonal neighbours."""
+    height, width = z.shape[0] - 2, z.shape[1] - 2
+    for row in prange(height):
+        y = row + 1
+        for x in range(1, width + 1):
+            value = right[y, x] - a[DIAGONAL, y, x] * z[y, x]
+            value += a[EAST, y, x - 1] * z[y, x - 1] + a[EAST, y, x] * z[y, x + 1]
+            out[y, x] = value + a[SOUTH, y - 1, x] * z[y - 1, x] + a[SOUTH, y, x] * z[y + 1, x]
 
 
 @njit(cache=True, parallel=True)
 def restrict(weights: FloatImage, fine: FloatImage, coarse: FloatImage) -> None:
     """Transpose of :func:`prolong`."""
-    height, width = fine.shape
-    rows, columns = coarse.shape
+    rows, columns = weights.shape[:2]
     for i in prange(rows):
         for j in range(columns):
             total = np.float32(0)
-            for dy in range(-1, 2):
-                y = 2 * i + dy
-                if 0 <= y < height:
-                    for dx in range(-1, 2):
-                        x = 2 * j + dx
-                        if 0 <= x < width:
-                            total += weights[i, j, 1 + dy, 1 + dx] * fine[y, x]
-            coarse[i, j] = total
+            for dy in range(3):
+                for dx in range(3):
+                    total += weights[i, j, dy, dx] * fine[2 * i + dy, 2 * j + dx]
+            coarse[i + 1, j + 1] = total
 
 
 @njit(cache=True, parallel=True)
 def prolong(weights: FloatImage, coarse: FloatImage, fine: FloatImage) -> None:
     """Add the interpolated coarse correction to ``fine``."""
-    height, width = fine.shape
-    rows, columns = coarse.shape
+    height, width = fine.shape[0] - 2, fine.shape[1] - 2
+    rows, columns = weights.shape[:2]
     for row in prange(height):
         i0 = row // 2
         i1 = min(i0 + (row & 1), rows - 1)
@@ -247,5 +261,24 @@ def prolong(weights: FloatImage, coarse: FloatImage, fine: FloatImage) -> None:
             total = np.float32(0)
             for i in range(i0, i1 + 1):
                 for j in range(j0, j1 + 1):
-                    total += weights[i, j, row - 2 * i + 1, column - 2 * j + 1] * coarse[i, j]
-            fine[row, column] += total
+                    share = weights[i, j, row - 2 * i + 1, column - 2 * j + 1]
+                    total += share * coarse[i + 1, j + 1]
+            fine[row + 1, column + 1] += total
+
+
+@njit(cache=True, parallel=True)
+def enter(values: FloatArray, out: FloatImage) -> None:
+    """Copy ``values`` (H, W) into the margin's inside."""
+    height, width = values.shape
+    for row in prange(height):
+        for column in range(width):
+            out[row + 1, column + 1] = values[row, column]
+
+
+@njit(cache=True, parallel=True)
+def leave(values: FloatImage, out: FloatArray) -> None:
+    """Copy the inside of the margin to ``out`` (H, W)."""
+    height, width = out.shape
+    for row in prange(height):
+        for column in range(width):
+            out[row, column] = values[row + 1, column + 1]

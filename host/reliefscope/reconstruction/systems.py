@@ -35,7 +35,7 @@ Field = NDArray[np.float64]
 Slopes = NDArray[np.floating[Any]]
 Springs = NDArray[np.floating[Any]]
 
-_BLOCK = 32
+_BLOCK = 4
 """Side in pixels of the blocks over which the least held part of a surface is sought."""
 
 
