@@ -132,7 +132,7 @@ def test_acquire_verifies_and_hands_on_every_frame(microscope: Microscope, tmp_p
     assert facts["complete"]
     assert facts["sample"] == "basalt"
     assert facts["images"] == "11 of 11"
-    assert facts["results"] == []
+    assert facts["results"] == {}
     assert run.verify().ok
     assert microscope.device.status().light == 255
     assert microscope.aperture_name == "shut"

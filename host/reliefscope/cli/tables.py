@@ -15,6 +15,7 @@ from reliefscope.cli.progress import duration, label
 if TYPE_CHECKING:
     from reliefscope.doctor import Check
     from reliefscope.microscope import DemoResult, Evaluation, Outcome
+    from reliefscope.reconstruction.self_check import SelfCheck
 
 SECTIONS = {
     "checker_tops": "checker tops",
@@ -113,6 +114,8 @@ def show_demo(console: Console, result: DemoResult) -> None:
     """The demo's table, times and places."""
     if result.evaluation is not None:
         show_table(console, result.evaluation)
+    if result.outcome.reconstruction.self_check is not None:
+        show_findings(console, result.outcome.reconstruction.self_check)
     show_stages(console, result.stages_s, result.total_s)
     _show_places(console, result.outcome)
 
@@ -126,8 +129,19 @@ def show_reconstruction(console: Console, outcome: Outcome) -> None:
         photometric_quality=settings.photometric_quality,
     )
     show_facts(console, f"Reconstruction {outcome.name}", facts)
+    if outcome.reconstruction.self_check is not None:
+        show_findings(console, outcome.reconstruction.self_check)
     show_stages(console, outcome.stages_s, outcome.total_s)
     _show_places(console, outcome)
+
+
+def show_findings(console: Console, check: SelfCheck) -> None:
+    """Faults that the comparison of a result with itself shows, each with what to do."""
+    for finding in check.findings:
+        console.print(f"[bold yellow]{escape(finding.sentence)}.[/]", soft_wrap=True)
+        console.print(f"[cyan]next[/] {escape(finding.next_step)}", soft_wrap=True)
+    if check.findings:
+        console.print()
 
 
 KINDS = {
@@ -152,6 +166,8 @@ def readable_result(
             "height, 1st to 99th percentile",
             lambda span: f"{span[0]:.1f} to {span[1]:.1f} µm",
         ),
+        "standard_error_median_um": ("median standard error of the height", "{:.2g} µm".format),
+        "self_check": ("compared with itself", str),
         "stereo_accepted": (
             "stereo accepted in",
             lambda part: f"{share(part)} (quality {stereo_quality:g} or better)",

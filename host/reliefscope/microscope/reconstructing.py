@@ -40,12 +40,14 @@ class Outcome:
 
     def as_dict(self) -> dict[str, Any]:
         """For ``--json``."""
+        check = self.reconstruction.self_check
         return {
             "run": str(self.run),
             "name": self.name,
             "results": str(self.folder),
             "pictures": [str(picture) for picture in self.pictures],
             "summary": self.facts(),
+            "self_check": None if check is None else check.as_dict(),
             "stages_s": {stage: round(spent, 3) for stage, spent in self.stages_s.items()},
             "total_s": round(self.total_s, 3),
         }

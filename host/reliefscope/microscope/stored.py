@@ -40,6 +40,12 @@ class StoredRun:
             return []
         return sorted(place.name for place in folder.iterdir() if (place / "result.json").is_file())
 
+    def verdicts(self) -> dict[str, str]:
+        """What each result showed when it was compared with itself, in one line, by its name."""
+        from reliefscope.reconstruction.result import read_verdict
+
+        return {name: read_verdict(self.path, name) for name in self.results}
+
     def describe(self) -> dict[str, Any]:
         """What the run holds, for people and programs."""
         data, spec = self.data, self.data.spec
@@ -68,7 +74,7 @@ class StoredRun:
         if spec.imported is not None:
             facts["source"] = spec.imported.source
             facts["conversion"] = spec.imported.conversion or None
-        facts["results"] = self.results
+        facts["results"] = self.verdicts()
         return facts
 
     def reconstruct(

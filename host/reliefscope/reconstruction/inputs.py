@@ -44,6 +44,10 @@ class Frames(Protocol):
         """Slopes (K, 2), y up; None where one is unknown."""
 
     @property
+    def telecentricity_per_um(self) -> float:
+        """Growth of the slopes with the position from the middle of the field."""
+
+    @property
     def lights(self) -> NDArray[np.float64] | None:
         """Directions (L, 3) toward the lights; None where one is unknown."""
 
@@ -58,6 +62,9 @@ class Frames(Protocol):
     @property
     def mask(self) -> BoolImage | None:
         """Valid pixels (H, W); None: all."""
+
+    def saturation_level(self, view: int, light: int) -> FloatImage | float:
+        """Luminance (H, W), or one for all pixels, from which a pixel counts as saturated."""
 
     def stack(
         self, views: Iterable[int] | None = None, lights: Iterable[int] | None = None

@@ -3,88 +3,119 @@
 1. Every frame is read once.  For matching, each view is averaged over groups of lights; for registration the
    frames are kept, or read again where they take more memory than allowed.
 2. Joint matching over the groups (:mod:`~reliefscope.reconstruction.joint`); heights of low quality are
-   discarded and filled by robust smoothing.
+   discarded, and filled from their surroundings for the steps in between.
 3. Frames are brought to the view s = 0 by the height, and averaged over the views that see the point, light by
    light.
 4. Photometric stereo with near lights, without the lights that the height puts into shadow, robust against
    highlights.
-5. Fusion.
+5. Comparison of the result with itself (:mod:`~reliefscope.reconstruction.self_check`).
+6. Fusion of heights and normals by their standard errors (:mod:`~reliefscope.reconstruction.joint_fusion`).
 
-With one view there is no stereo, and the normals are integrated; with one light there is stereo only.
+With one view there is no stereo, and the normals are integrated; with one light there is stereo only, and robust
+smoothing fills and cleans the heights.
 """
 
 from __future__ import annotations
 
+from dataclasses import dataclass
+
 import numpy as np
 
 from reliefscope.errors import InvalidInputError
-from reliefscope.reconstruction import fusion, joint, photometric, registration, shadows, smoothing
+from reliefscope.reconstruction import (
+    fusion,
+    joint,
+    joint_fusion,
+    photometric,
+    registration,
+    shadows,
+    smoothing,
+)
 from reliefscope.reconstruction.channel_means import ChannelMeans, read_channel_means
+from reliefscope.reconstruction.filling import fill_heights
 from reliefscope.reconstruction.inputs import Inputs, refuse_undefined
 from reliefscope.reconstruction.mvs import MvsResult
 from reliefscope.reconstruction.result import Reconstruction
+from reliefscope.reconstruction.saturation import blank_saturated
 from reliefscope.reconstruction.self_check import SelfCheck, check_run
 from reliefscope.reconstruction.stage_clock import StageClock, peak_memory_mb
 from reliefscope.reconstruction.view_average import ViewAverage
-from reliefscope.units import FloatImage
+from reliefscope.units import BoolImage, FloatImage
+
+
+@dataclass(frozen=True)
+class _Stereo:
+    """Heights as matched, where they are accepted (H, W), and heights (H, W) without gaps."""
+
+    matched: MvsResult
+    accepted: BoolImage
+    filled_um: FloatImage
+
+
+@dataclass(frozen=True)
+class _Shading:
+    """Images (L, H, W) in the view s = 0, where each light arrives (None: unknown), and the normals from them."""
+
+    images: FloatImage
+    lit: BoolImage | None
+    solved: photometric.PsResult
 
 
 def reconstruct_jointly(
     inputs: Inputs, clock: StageClock, micrograph: FloatImage | None
 ) -> Reconstruction:
     """Surface, normals and albedo; see :func:`reliefscope.reconstruction.pipeline.reconstruct`."""
-    settings = inputs.settings.joint
     figures: dict[str, float] = {}
-    stereo: MvsResult | None = None
-    filled: FloatImage | None = None
-    means: ChannelMeans | None = None
+    stereo: _Stereo | None = None
+    shading: _Shading | None = None
     check: SelfCheck | None = None
     if inputs.stereo:
-        means = read_channel_means(
-            inputs,
-            joint.light_groups(inputs.frames.lights, inputs.light_count),
-            clock,
-            keep=inputs.photometric and inputs.frames_mb() <= inputs.settings.frames_in_memory_mb,
-        )
+        means = _read(inputs, clock)
         if micrograph is None:
             micrograph = means.micrograph(inputs.nearest)
-        stereo = _match(inputs, means.images, clock)
-        filled = _fill(inputs, stereo, clock)
-    solved: photometric.PsResult | None = None
-    if inputs.photometric:
-        images = (
-            _nearest_view(inputs, clock)
-            if means is None or filled is None
-            else _registered(inputs, means, filled, clock)
-        )
+        stereo = _matched(inputs, means.images, clock)
+        if inputs.photometric:
+            images = _registered(inputs, means, stereo.filled_um, clock)
+            del means
+            shading = _solved(inputs, images, stereo.filled_um, clock)
+            check = check_run(
+                inputs,
+                clock,
+                stereo.matched,
+                stereo.filled_um,
+                shading.solved,
+                shading.images,
+                shading.lit,
+            )
+    else:
+        images = _nearest_view(inputs, clock)
         if micrograph is None:
             micrograph = images.mean(axis=0)
-        lights, pixel_um = inputs.light_field, inputs.frames.pixel_um
-        usable = None
-        if filled is not None and settings.shadows:
-            with clock.timed("shadows"):
-                usable = shadows.lit(filled, lights, pixel_um, job=clock.job)
-        with clock.timed("photometric stereo"), clock.job.stage("photometric stereo", 1):
-            solved = photometric.solve(images, lights, pixel_um, usable=usable)
-        if stereo is not None and filled is not None:
-            check = check_run(inputs, clock, stereo, filled, solved, images, usable)
-        del images
-    del means
-    with clock.timed("fuse"):
-        height, kind = _surface(inputs, stereo, filled, solved, clock, figures)
+        images *= inputs.relative_powers.astype(np.float32)[:, None, None]
+        blank_saturated(images, inputs.frames, inputs.nearest)
+        images /= inputs.relative_powers.astype(np.float32)[:, None, None]
+        shading = _solved(inputs, images, None, clock)
+    if micrograph is None:
+        assert shading is not None  # one of the two methods was run
+        micrograph = shading.images.mean(axis=0)
+    height, sigma, kind = _surface(inputs, stereo, shading, clock, figures)
     if inputs.mask is not None:
         height = np.where(inputs.mask, height, np.float32(np.nan))
+    solved = shading.solved if shading else None
     return Reconstruction(
         height_um=height,
         pixel_um=inputs.frames.pixel_um,
         settings=inputs.settings,
         kind=kind,
-        stereo_height_um=stereo.height_um if stereo else None,
-        stereo_quality=stereo.quality if stereo else None,
-        smoothed_height_um=filled,
+        sigma_um=sigma,
+        stereo_height_um=stereo.matched.height_um if stereo else None,
+        stereo_quality=stereo.matched.quality if stereo else None,
+        stereo_accepted=stereo.accepted if stereo else None,
         normals=solved.normals if solved else None,
+        normal_sigma_rad=solved.sigma_rad if solved else None,
         albedo=solved.albedo if solved else None,
         photometric_quality=solved.quality if solved else None,
+        lights_used=solved.lights_used if solved else None,
         residual=solved.residual if solved else None,
         micrograph=micrograph,
         valid=inputs.mask,
@@ -95,32 +126,57 @@ def reconstruct_jointly(
     )
 
 
-def _match(inputs: Inputs, channels: FloatImage, clock: StageClock) -> MvsResult:
+def _read(inputs: Inputs, clock: StageClock) -> ChannelMeans:
+    return read_channel_means(
+        inputs,
+        joint.light_groups(inputs.frames.lights, inputs.light_count),
+        clock,
+        keep=inputs.photometric and inputs.frames_mb() <= inputs.settings.frames_in_memory_mb,
+    )
+
+
+def _matched(inputs: Inputs, channels: FloatImage, clock: StageClock) -> _Stereo:
+    threshold = inputs.settings.joint.stereo_quality
     with clock.timed("match"):
-        result = joint.match_jointly(
-            channels, inputs.slopes, inputs.range_um, inputs.frames.pixel_um, clock.job
+        matched = joint.match_jointly(
+            channels,
+            inputs.slopes,
+            inputs.range_um,
+            inputs.frames.pixel_um,
+            clock.job,
+            telecentricity_per_um=inputs.frames.telecentricity_per_um,
         )
         if inputs.mask is not None:
-            result.quality[~inputs.mask] = 0.0
-    return result
-
-
-def _fill(inputs: Inputs, stereo: MvsResult, clock: StageClock) -> FloatImage:
-    """Heights (H, W) with those of low quality filled."""
-    threshold = inputs.settings.joint.stereo_quality
-    with clock.timed("smooth"):
-        accepted = stereo.accepted(threshold)
+            matched.quality[~inputs.mask] = 0.0
+        accepted = matched.accepted(threshold)
         if accepted.sum() < 3:
             raise InvalidInputError(
                 f"No height reaches the quality of {threshold:g}.",
                 hint="Check focus, exposure and the range of heights; look at a frame.",
             )
-        return smoothing.smooth_robust(
-            np.where(accepted, stereo.height_um, np.float32(np.nan)),
-            np.where(accepted, stereo.quality, np.float32(0)),
-            resolution=1.0,
-            job=clock.job,
-        ).values
+        trust = np.where(accepted, matched.quality, np.float32(0))
+        if inputs.photometric:
+            return _Stereo(matched, accepted, fill_heights(matched.height_um, trust))
+    with clock.timed("smooth"):
+        known = np.where(accepted, matched.height_um, np.float32(np.nan))
+        smoothed = smoothing.smooth_robust(known, trust, resolution=1.0, job=clock.job)
+    return _Stereo(matched, accepted, smoothed.values)
+
+
+def _solved(
+    inputs: Inputs, images: FloatImage, height_um: FloatImage | None, clock: StageClock
+) -> _Shading:
+    lights, pixel_um = inputs.light_field, inputs.frames.pixel_um
+    lit = None
+    if height_um is not None:
+        with clock.timed("shadows"):
+            lit = shadows.lit(height_um, lights, pixel_um, job=clock.job)
+    with clock.timed("photometric stereo"), clock.job.stage("photometric stereo", 1):
+        usable = lit if inputs.settings.joint.shadows else None
+        solved = photometric.solve(images, lights, pixel_um, usable=usable)
+        if inputs.mask is not None:
+            solved.quality[~inputs.mask] = 0.0
+    return _Shading(images, lit, solved)
 
 
 def _nearest_view(inputs: Inputs, clock: StageClock) -> FloatImage:
@@ -144,12 +200,20 @@ def _registered(
     visible = None
     if inputs.settings.joint.occlusion:
         with clock.timed("visibility"):
-            visible = registration.visibility(height_um, inputs.slopes, run.pixel_um, job=clock.job)
-    average = ViewAverage(height_um, run.pixel_um, inputs.light_count)
+            visible = registration.visibility(
+                height_um,
+                inputs.slopes,
+                run.pixel_um,
+                telecentricity_per_um=run.telecentricity_per_um,
+                job=clock.job,
+            )
+    average = ViewAverage(height_um, run.pixel_um, inputs.light_count, run.telecentricity_per_um)
     with clock.timed("register"), clock.job.stage("register", inputs.view_count) as stage:
         for view, (sx, sy) in enumerate(inputs.slopes):
+            frames = _frames(inputs, means, view)
+            blank_saturated(frames, run, view)
             average.add(
-                _frames(inputs, means, view),
+                frames,
                 (float(sx), float(sy)),
                 float(means.gains[view]),
                 None if visible is None else visible[view],
@@ -168,36 +232,37 @@ def _frames(inputs: Inputs, means: ChannelMeans, view: int) -> FloatImage:
 
 def _surface(
     inputs: Inputs,
-    stereo: MvsResult | None,
-    filled: FloatImage | None,
-    solved: photometric.PsResult | None,
+    stereo: _Stereo | None,
+    shading: _Shading | None,
     clock: StageClock,
     figures: dict[str, float],
-) -> tuple[FloatImage, str]:
-    settings, pixel_um = inputs.settings.joint, inputs.frames.pixel_um
-    if solved is None:
-        assert filled is not None  # one of the two methods was run
-        return filled, "stereo"
-    q_ps = inputs.with_mask(
-        np.where(solved.quality >= settings.photometric_quality, solved.quality, np.float32(0))
-    )
-    if stereo is None or filled is None:
-        fused = fusion.integrate(
-            solved.normals, q_ps, pixel_um, tolerance_um=settings.tolerance_um, job=clock.job
-        )
-        kind = "integrated"
-    else:
-        q_mvs = np.where(stereo.accepted(settings.stereo_quality), stereo.quality, 0.0)
-        fused = fusion.fuse(
-            filled,
-            q_mvs,
+) -> tuple[FloatImage, FloatImage | None, str]:
+    """Height (H, W), its standard error where it is known, and what it was made from."""
+    pixel_um = inputs.frames.pixel_um
+    if shading is None:
+        assert stereo is not None  # one of the two methods was run
+        return stereo.filled_um, stereo.matched.sigma_um, "stereo"
+    solved = shading.solved
+    with clock.timed("fuse"):
+        if stereo is None:
+            trusted = solved.quality >= inputs.settings.joint.photometric_quality
+            weight = np.where(trusted, solved.quality, np.float32(0))
+            integrated = fusion.integrate(solved.normals, weight, pixel_um, job=clock.job)
+            figures["solver_iterations"] = integrated.iterations
+            figures["solver_error_um"] = integrated.error_um
+            return integrated.height_um, None, "integrated"
+        assert stereo.matched.sigma_um is not None  # joint matching tells it
+        assert solved.sigma_rad is not None  # the robust form tells it
+        none = np.float32(np.inf)
+        fused = joint_fusion.fuse_robust(
+            stereo.matched.height_um,
+            np.where(stereo.accepted, stereo.matched.sigma_um, none),
             solved.normals,
-            q_ps,
+            np.where(np.isfinite(solved.normals).all(axis=-1), solved.sigma_rad, none),
             pixel_um,
-            tolerance_um=settings.tolerance_um,
+            images=shading.images,
             job=clock.job,
         )
-        kind = "fused"
     figures["solver_iterations"] = fused.iterations
     figures["solver_error_um"] = fused.error_um
-    return fused.height_um, kind
+    return fused.height_um, fused.sigma_um, "fused"

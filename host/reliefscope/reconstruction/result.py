@@ -48,12 +48,20 @@ class Reconstruction:
         What it was made with.
     kind:
         ``fused``, ``stereo`` or ``integrated``.
+    sigma_um:
+        Standard error of the height: about 68 % of the errors are smaller.
     stereo_height_um, stereo_quality:
         As matched, before anything is discarded; NaN and 0 where missing.
+    stereo_accepted:
+        Bool, where the matched height was used.
     smoothed_height_um:
         Stereo heights after discarding and smoothing.
     normals, albedo, photometric_quality, residual:
         As solved, before anything is discarded; normals are (H, W, 3).
+    normal_sigma_rad:
+        Angular error to expect of the normal.
+    lights_used:
+        Number of lights that the normal rests on: neither in shadow nor a highlight.
     micrograph:
         Linear luminance to look at: the centre view under all light where it was taken.
     valid:
@@ -70,10 +78,14 @@ class Reconstruction:
     pixel_um: float
     settings: Settings
     kind: str
+    sigma_um: FloatImage | None = None
     stereo_height_um: FloatImage | None = None
     stereo_quality: FloatImage | None = None
+    stereo_accepted: BoolImage | None = None
     smoothed_height_um: FloatImage | None = None
     normals: FloatImage | None = None
+    normal_sigma_rad: FloatImage | None = None
+    lights_used: FloatImage | None = None
     albedo: FloatImage | None = None
     photometric_quality: FloatImage | None = None
     residual: FloatImage | None = None
@@ -107,6 +119,8 @@ class Reconstruction:
             "height_known": self._share(np.isfinite(self.height_um)),
             "height_1_to_99_percent_um": [round(float(low), 3), round(float(high), 3)],
         }
+        if self.sigma_um is not None:
+            facts["standard_error_median_um"] = self._median(self.sigma_um)
         if self.stereo_quality is not None:
             accepted = self.stereo_quality >= self.settings.chosen.stereo_quality
             facts["stereo_accepted"] = self._share(accepted)
@@ -209,6 +223,17 @@ def save_result(
             hint=f"Check space and permissions: `df -h {run_path}`, then reconstruct again.",
         ) from error
     return folder
+
+
+def read_verdict(run_path: Path, name: str) -> str:
+    """What a result showed when it was compared with itself, in one line, without reading its maps."""
+    path = run_path / RESULTS_FOLDER / name / RESULT_FILE
+    try:
+        document = json.loads(path.read_text(encoding="utf-8"))
+        check = document.get("self_check")
+        return "not compared with itself" if check is None else SelfCheck.from_dict(check).verdict
+    except (OSError, ValueError, KeyError, TypeError, AttributeError):
+        return "damaged"
 
 
 def load_result(run_path: Path, name: str) -> Reconstruction:

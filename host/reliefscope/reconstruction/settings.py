@@ -27,9 +27,7 @@ class JointSettings(StrictModel):
     shadows: bool = True
     """Leave a light out where the height puts the point into its shadow."""
     photometric_quality: Fraction = 0.25
-    """Normals of a lower quality are discarded."""
-    tolerance_um: Positive | None = None
-    """Estimated RMS distance to the exact minimum at which the solver stops; None: a hundredth of a pixel."""
+    """Normals of a lower quality count as doubtful; without heights to weigh them against they are left out."""
 
 
 class PaperSettings(StrictModel):

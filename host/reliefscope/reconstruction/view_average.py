@@ -30,9 +30,18 @@ class ViewAverage:
         Sampling distance in the focal plane.
     lights:
         Number of lights L.
+    telecentricity_per_um:
+        Growth of the slopes with the position from the middle of the field.
     """
 
-    def __init__(self, height_um: FloatImage, pixel_um: float, lights: int) -> None:
+    def __init__(
+        self,
+        height_um: FloatImage,
+        pixel_um: float,
+        lights: int,
+        telecentricity_per_um: float = 0.0,
+    ) -> None:
+        self._telecentricity_per_um = telecentricity_per_um
         self._height = np.ascontiguousarray(height_um, dtype=np.float32)
         self._pixel_um = pixel_um
         self._sums = np.zeros((lights, *height_um.shape), np.float32)
@@ -61,6 +70,7 @@ class ViewAverage:
                 seen,
                 cols_per_um,
                 rows_per_um,
+                self._telecentricity_per_um,
                 np.float32(gain),
                 *rows,
                 self._sums,
@@ -91,14 +101,19 @@ def add_rows(
     visible: BoolImage,
     cols_per_um: float,
     rows_per_um: float,
+    telecentricity_per_um: float,
     gain: np.float32,
     first: int,
     stop: int,
     sums: FloatImage,
     counts: FloatImage,
 ) -> None:
-    """Add rows ``first`` to ``stop`` of the frames (L, H, W) at ``(row + z rows_per_um, col + z cols_per_um)``."""
+    """Add rows ``first`` to ``stop`` of the frames (L, H, W) at ``(row + z rows_per_um, col + z cols_per_um)``.
+
+    The shifts per um are those in the middle of the field.
+    """
     lights, rows, cols = frames.shape
+    middle_row, middle_col = 0.5 * (rows - 1), 0.5 * (cols - 1)
     low, right = rows - 1 + SNAP_PX, cols - 1 + SNAP_PX
     one = np.float32(1.0)
     used = np.empty(cols, np.int32)
@@ -110,8 +125,9 @@ def add_rows(
         count = 0
         for c in range(cols):
             z = height[r, c]
-            y = r + z * rows_per_um
-            x = c + z * cols_per_um
+            z /= 1.0 + z * telecentricity_per_um
+            y = r + z * (rows_per_um - telecentricity_per_um * (r - middle_row))
+            x = c + z * (cols_per_um - telecentricity_per_um * (c - middle_col))
             if (
                 y >= -SNAP_PX
                 and y <= low

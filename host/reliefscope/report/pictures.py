@@ -7,51 +7,33 @@ here and reduced to what a screen shows before matplotlib sees them: that is wha
 from __future__ import annotations
 
 from collections.abc import Callable
-from dataclasses import dataclass, replace
 from pathlib import Path
-from typing import TYPE_CHECKING
 
 import cv2
 import numpy as np
-from numpy.typing import NDArray
 from scipy.ndimage import distance_transform_edt
 
 from reliefscope.errors import DatasetError
 from reliefscope.jobs import Job, ensure_job
 from reliefscope.reconstruction.result import Reconstruction
-from reliefscope.report.oblique import FLAT_LIGHT, TILT_DEG, render_oblique, shade
+from reliefscope.report.map_figures import (
+    ColourMap,
+    Extent,
+    Rgb,
+    length_unit,
+    overview_figure,
+    save_figure,
+    save_image,
+    save_map,
+)
+from reliefscope.report.oblique import FLAT_LIGHT, render_oblique, shade
 from reliefscope.units import BoolImage, FloatImage
-
-if TYPE_CHECKING:
-    from matplotlib.axes import Axes
-    from matplotlib.figure import Figure
-
-Rgb = NDArray[np.uint8]
-Extent = tuple[float, float, float, float]
 
 _WIDTH_PX = 1100
 """Width to which maps are reduced."""
-_DPI = 130
 _MOST_RELIEF = 0.5
 """Height range over image size above which the oblique view flattens heights to stay in the picture."""
-_MILLIMETRES_FROM_UM = 5000.0
-_TALLEST_IN = 9.6
-"""Height of the oblique view in the overview, inches."""
 _BLANK = np.array([232, 234, 237], np.uint8)
-_INK = "#22262b"
-_FONT_SIZE = 9.0
-
-
-@dataclass(frozen=True, slots=True)
-class _Map:
-    """A coloured map (h, w, 3) and the bar that explains it; no bar where ``unit`` is empty."""
-
-    title: str
-    rgb: Rgb
-    unit: str = ""
-    colours: str = "viridis"
-    low: float = 0.0
-    high: float = 1.0
 
 
 def write_pictures(
@@ -59,7 +41,7 @@ def write_pictures(
 ) -> tuple[Path, ...]:
     """Draw every picture that the reconstruction allows for and return the files, overview first.
 
-    Files: ``overview``, ``fused`` (or ``stereo``, ``integrated``), ``oblique``, ``height_map``,
+    Files: ``overview``, ``fused`` (or ``stereo``, ``integrated``), ``oblique``, ``uncertainty``, ``height_map``,
     ``quality_stereo``, ``normals``, ``slant``, ``quality_photometric``, ``micrograph``, all ``.png``.
 
     Raises
@@ -68,7 +50,9 @@ def write_pictures(
         A file could not be written.
     """
     view = _Reduced(reconstruction)
-    makers: list[tuple[str, Callable[[], _Map]]] = [(reconstruction.kind, view.surface)]
+    makers: list[tuple[str, Callable[[], ColourMap]]] = [(reconstruction.kind, view.surface)]
+    if view.sigma is not None:
+        makers.append(("uncertainty", view.uncertainty))
     if view.stereo is not None:
         makers += [("height_map", view.height_map), ("quality_stereo", view.quality_stereo)]
     if view.normals is not None:
@@ -79,20 +63,20 @@ def write_pictures(
         ]
     if view.micrograph is not None:
         makers.append(("micrograph", view.micrograph_map))
-    maps: dict[str, _Map] = {}
+    maps: dict[str, ColourMap] = {}
     written: list[Path] = []
     try:
         folder.mkdir(parents=True, exist_ok=True)
         with ensure_job(job).stage("pictures", len(makers) + 2) as stage:
             for name, make in makers:
                 maps[name] = make()
-                written.append(_save_map(maps[name], view.extent_um, folder / f"{name}.png"))
+                written.append(save_map(maps[name], view.extent_um, folder / f"{name}.png"))
                 stage.advance()
             oblique = view.oblique()
-            written.insert(1, _save_image(oblique, folder / "oblique.png"))
+            written.insert(1, save_image(oblique, folder / "oblique.png"))
             stage.advance()
-            overview = _overview(maps, oblique, view.relief, view.extent_um)
-            written.insert(0, _save_figure(overview, folder / "overview.png"))
+            overview = overview_figure(maps, oblique, view.relief, view.extent_um)
+            written.insert(0, save_figure(overview, folder / "overview.png"))
     except OSError as error:
         raise DatasetError(
             f"A picture could not be written to {folder}: {error.strerror or error}.",
@@ -120,6 +104,7 @@ class _Reduced:
         self.relief = min(1.0, deepest / (self.span[1] - self.span[0]))
         self.filled = _filled(self.height, self.known)
         self.light = shade(self.filled, self.pixel_um)
+        self.sigma = _maybe(reconstruction.sigma_um, self._reduce)
         self.stereo = _maybe(reconstruction.stereo_height_um, self._reduce)
         self._stereo_quality = _maybe(reconstruction.stereo_quality, self._reduce)
         self.normals = _maybe(reconstruction.normals, self._reduce)
@@ -128,7 +113,7 @@ class _Reduced:
         self.micrograph = _maybe(reconstruction.micrograph, self._reduce)
         if reconstruction.valid is not None:
             outside = self._reduce(reconstruction.valid.astype(np.float32)) < 0.5
-            for image in (self.stereo, self._stereo_quality, self._photometric_quality):
+            for image in (self.sigma, self.stereo, self._stereo_quality, self._photometric_quality):
                 if image is not None:
                     image[outside] = np.nan
             if self.normals is not None:
@@ -145,7 +130,7 @@ class _Reduced:
             reduced: FloatImage = np.where(share > 0.25, total / share, np.float32(np.nan))
         return reduced
 
-    def surface(self) -> _Map:
+    def surface(self) -> ColourMap:
         """The result, coloured by height and lit from the upper left."""
         colours = _coloured(self.height, self.span, "viridis")
         lit = colours * np.clip(self.light / FLAT_LIGHT, 0.3, 1.25)[..., None]
@@ -154,7 +139,22 @@ class _Reduced:
         title = titles.get(self._kind, "Height")
         return self._heights(title, rgb)
 
-    def height_map(self) -> _Map:
+    def uncertainty(self) -> ColourMap:
+        """Standard error of the height; the scale ends where all but one in a hundred lie."""
+        assert self.sigma is not None  # asked for only where there is one
+        known = self.sigma[np.isfinite(self.sigma)]
+        top = float(np.percentile(known, 99)) if known.size else 1.0
+        name, factor = length_unit(top)
+        return ColourMap(
+            "Standard error of the height (68 % of errors are smaller)",
+            _coloured(self.sigma, (0.0, max(top, 1e-6)), "inferno"),
+            f"standard error ({name})",
+            "inferno",
+            0.0,
+            factor * top,
+        )
+
+    def height_map(self) -> ColourMap:
         """Stereo heights as matched, low quality left blank."""
         assert self.stereo is not None  # asked for only where there is one
         assert self._stereo_quality is not None
@@ -162,48 +162,50 @@ class _Reduced:
         height = np.where(kept, self.stereo, np.float32(np.nan))
         return self._heights("Stereo height", _coloured(height, self.span, "viridis"))
 
-    def _heights(self, title: str, rgb: Rgb) -> _Map:
-        name, factor = _unit(max(abs(value) for value in self.span))
+    def _heights(self, title: str, rgb: Rgb) -> ColourMap:
+        name, factor = length_unit(max(abs(value) for value in self.span))
         low, high = (factor * value for value in self.span)
-        return _Map(title, rgb, f"height ({name})", "viridis", low, high)
+        return ColourMap(title, rgb, f"height ({name})", "viridis", low, high)
 
-    def quality_stereo(self) -> _Map:
+    def quality_stereo(self) -> ColourMap:
         """Peak minus median of the mean correlation."""
         assert self._stereo_quality is not None  # comes with the stereo height
         title = f"Stereo quality (< {self._settings.stereo_quality:g} blank)"
         return self._quality(title, self._stereo_quality, self._settings.stereo_quality)
 
-    def quality_photometric(self) -> _Map:
+    def quality_photometric(self) -> ColourMap:
         """Score of eq. 10."""
         assert self._photometric_quality is not None  # comes with the normals
         limit = self._settings.photometric_quality
         title = f"Photometric quality (< {limit:g} blank)"
         return self._quality(title, self._photometric_quality, limit)
 
-    def _quality(self, title: str, quality: FloatImage, limit: float) -> _Map:
+    def _quality(self, title: str, quality: FloatImage, limit: float) -> ColourMap:
         kept = np.where(quality >= limit, quality, np.float32(np.nan))
-        return _Map(title, _coloured(kept, (0.0, 1.0), "cividis"), "quality", "cividis", 0.0, 1.0)
+        return ColourMap(
+            title, _coloured(kept, (0.0, 1.0), "cividis"), "quality", "cividis", 0.0, 1.0
+        )
 
-    def normal_map(self) -> _Map:
+    def normal_map(self) -> ColourMap:
         """Normals as colours: x in red, y in green, z in blue."""
         assert self.normals is not None  # asked for only where there are some
         known = np.isfinite(self.normals[..., 2])
         colours = np.nan_to_num(127.5 * (self.normals + 1.0))
         rgb = np.where(known[..., None], np.clip(colours, 0, 255), _BLANK).astype(np.uint8)
-        return _Map("Normals (red: x, green: y, blue: z)", rgb)
+        return ColourMap("Normals (red: x, green: y, blue: z)", rgb)
 
-    def slant(self) -> _Map:
+    def slant(self) -> ColourMap:
         """Angle between normal and optical axis."""
         assert self.normals is not None  # asked for only where there are some
         angle = np.degrees(np.arccos(np.clip(self.normals[..., 2], -1.0, 1.0)))
-        return _Map(
+        return ColourMap(
             "Slant", _coloured(angle, (0.0, 80.0), "magma"), "slant (degrees)", "magma", 0.0, 80.0
         )
 
-    def micrograph_map(self) -> _Map:
+    def micrograph_map(self) -> ColourMap:
         """Luminance with the tone curve of a screen."""
         assert self.micrograph is not None  # asked for only where there is one
-        return _Map(
+        return ColourMap(
             "Micrograph",
             np.repeat((255 * _toned(self.micrograph))[..., None], 3, -1).astype(np.uint8),
         )
@@ -230,11 +232,6 @@ class _Reduced:
             background=background,
         )
         return (255 * np.clip(image, 0, 1) + 0.5).astype(np.uint8)
-
-
-def _unit(length_um: float) -> tuple[str, float]:
-    """Unit to show lengths like this one in, and what micrometres are multiplied by."""
-    return ("mm", 1e-3) if length_um >= _MILLIMETRES_FROM_UM else ("µm", 1.0)
 
 
 def _box(known: BoolImage) -> tuple[slice, slice]:
@@ -291,115 +288,3 @@ def _coloured(values: FloatImage, span: tuple[float, float], colours: str) -> Rg
     rgb: Rgb = np.take(table, index.astype(np.uint8), axis=0)
     rgb[~known] = _BLANK
     return rgb
-
-
-def _save_map(image: _Map, extent_um: Extent, path: Path) -> Path:
-    from matplotlib.figure import Figure
-
-    rows, columns = image.rgb.shape[:2]
-    width, height = columns / _DPI, rows / _DPI
-    size = (width + 0.75 + (1.15 if image.unit else 0.2), height + 0.9)
-    figure = Figure(figsize=size, dpi=_DPI, facecolor="white")
-    axes = figure.add_axes((0.7 / size[0], 0.52 / size[1], width / size[0], height / size[1]))
-    _draw(axes, image, extent_um, _FONT_SIZE)
-    name, _ = _unit(2 * extent_um[1])
-    axes.set_xlabel(f"x ({name})", color=_INK, fontsize=_FONT_SIZE)
-    axes.set_ylabel(f"y ({name})", color=_INK, fontsize=_FONT_SIZE, labelpad=1)
-    if image.unit:
-        slot = ((0.84 + width) / size[0], 0.52 / size[1], 0.16 / size[0], height / size[1])
-        _bar(figure, figure.add_axes(slot), image, _FONT_SIZE)
-    return _save_figure(figure, path)
-
-
-def _draw(axes: Axes, image: _Map, extent_um: Extent, font_size: float) -> None:
-    _, factor = _unit(2 * extent_um[1])
-    left, right, bottom, top = (factor * edge for edge in extent_um)
-    extent = (left, right, bottom, top)
-    axes.imshow(image.rgb, extent=extent, interpolation="antialiased", aspect="equal")
-    axes.set_title(image.title, loc="left", fontsize=font_size * 1.15, color=_INK, pad=5)
-    axes.tick_params(colors=_INK, length=3, width=0.6, labelsize=font_size)
-    for spine in axes.spines.values():
-        spine.set(color="#9aa0a6", linewidth=0.6)
-
-
-def _bar(figure: Figure, slot: Axes, image: _Map, font_size: float) -> None:
-    from matplotlib.cm import ScalarMappable
-    from matplotlib.colors import Normalize
-
-    bar = figure.colorbar(ScalarMappable(Normalize(image.low, image.high), image.colours), cax=slot)
-    bar.set_label(image.unit, color=_INK, fontsize=font_size)
-    bar.ax.tick_params(colors=_INK, length=3, width=0.6, labelsize=font_size)
-    for spine in bar.ax.spines.values():
-        spine.set_visible(False)
-
-
-def _overview(maps: dict[str, _Map], oblique: Rgb, relief: float, extent_um: Extent) -> Figure:
-    """The steps of a reconstruction side by side, after the paper's Fig. 6, above the oblique view."""
-    from matplotlib.figure import Figure
-
-    order = ["micrograph", "height_map", "quality_stereo", "slant", "quality_photometric"]
-    if "height_map" not in maps:
-        order.insert(1, "normals")
-    chosen = [maps[name] for name in order if name in maps]
-    chosen += [image for name, image in maps.items() if name in ("fused", "stereo", "integrated")]
-    across = 3 if len(chosen) > 5 else len(chosen)
-    width, pitch, left, gap = 3.05, 4.15, 0.5, 0.62
-    height = width * chosen[0].rgb.shape[0] / chosen[0].rgb.shape[1]
-    room = wide = across * pitch - 0.55
-    tall = wide * oblique.shape[0] / oblique.shape[1]
-    if tall > _TALLEST_IN:
-        tall, wide = _TALLEST_IN, wide * _TALLEST_IN / tall
-    rows = -(-len(chosen) // across)
-    size = (left + across * pitch, rows * (height + gap) + tall + 0.55)
-    figure = Figure(figsize=size, dpi=_DPI, facecolor="white")
-    for index, image in enumerate(chosen):
-        x = left + (index % across) * pitch
-        y = size[1] - (index // across + 1) * (height + gap) + 0.3
-        axes = figure.add_axes((x / size[0], y / size[1], width / size[0], height / size[1]))
-        _draw(axes, _halved(image), extent_um, _FONT_SIZE)
-        axes.annotate(
-            _unit(2 * extent_um[1])[0],
-            xy=(1.0, 0.0),
-            xycoords="axes fraction",
-            xytext=(6.0, -14.0),
-            textcoords="offset points",
-            color=_INK,
-            fontsize=_FONT_SIZE,
-        )
-        if image.unit:
-            slot = ((x + width + 0.08) / size[0], y / size[1], 0.1 / size[0], height / size[1])
-            _bar(figure, figure.add_axes(slot), image, _FONT_SIZE)
-    begin = left + (room - wide) / 2
-    axes = figure.add_axes((begin / size[0], 0.12 / size[1], wide / size[0], tall / size[1]))
-    axes.imshow(oblique, interpolation="antialiased", aspect="auto")
-    axes.set_axis_off()
-    flattened = "" if relief == 1.0 else f", heights × {relief:.2f}"
-    title = f"Oblique view, {TILT_DEG:g}° tilt{flattened}"
-    axes.set_title(title, loc="left", fontsize=_FONT_SIZE * 1.15, color=_INK, pad=5)
-    return figure
-
-
-def _halved(image: _Map) -> _Map:
-    rows, columns = image.rgb.shape[:2]
-    size = (max(1, columns // 2), max(1, rows // 2))
-    rgb = cv2.resize(image.rgb, size, interpolation=cv2.INTER_AREA).astype(np.uint8)
-    return replace(image, rgb=rgb)
-
-
-def _save_figure(figure: Figure, path: Path) -> Path:
-    making = path.with_name(f".{path.name}.making")
-    figure.savefig(making, format="png", pil_kwargs={"compress_level": 2})
-    making.replace(path)
-    return path
-
-
-def _save_image(rgb: Rgb, path: Path) -> Path:
-    good, encoded = cv2.imencode(
-        ".png", np.ascontiguousarray(rgb[..., ::-1]), [cv2.IMWRITE_PNG_COMPRESSION, 4]
-    )
-    if not good:
-        raise OSError(f"{path.name} could not be encoded")
-    making = path.with_name(f".{path.name}.making")
-    making.write_bytes(encoded.tobytes())
-    making.replace(path)
-    return path
