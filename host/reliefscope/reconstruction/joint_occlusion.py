@@ -3,7 +3,8 @@
 Ground beside a step is hidden from the views that lean over it; what they show there is the wall and its edge,
 which agree on a wrong height.  Where the first search found higher ground on one side of a pixel and lower
 ground on the other, the search is repeated with the half of the views that leans away from the higher side;
-the pixel takes that height where its score is the greater.
+the pixel takes that height where its score is the greater.  Only heights that the first search found around
+the pixel are tried, and the quality is the lead over their median.
 """
 
 from __future__ import annotations
@@ -19,6 +20,8 @@ from reliefscope.units import BoolImage, FloatImage
 
 STEP = 4.0
 """Difference of height over the windows, in candidate heights, from which one side may hide the other."""
+MARGIN = 3
+"""Candidate heights that are tried beyond those around a pixel."""
 BLOCK_ROWS, BLOCK_COLUMNS = 48, 96
 """Binned pixels that are searched together, where one of them needs it."""
 DIRECTIONS = ((1.0, 0.0), (-1.0, 0.0), (0.0, 1.0), (0.0, -1.0))
@@ -34,14 +37,21 @@ def search_behind_steps(search: JointSearch, peaks: Peaks, job: Job | None = Non
     for direction in DIRECTIONS:  # one after the other: their blocks overlap
         ensure_job(job).check()
         below = lower_ground(first, direction, search.reach + 1, STEP * search.step_um)
-        _look(search, peaks, below, leaning(search.slopes, direction))
+        _look(search, peaks, first, below, leaning(search.slopes, direction))
 
 
-def _look(search: JointSearch, peaks: Peaks, below: BoolImage, among: NDArray[np.bool_]) -> None:
+def _look(
+    search: JointSearch,
+    peaks: Peaks,
+    first: FloatImage,
+    below: BoolImage,
+    among: NDArray[np.bool_],
+) -> None:
     def work(block: Tile) -> None:
         known = peaks.part(block)
         found = Peaks.empty((int(block[1] - block[0]), int(block[3] - block[2])))
-        search.find(block, among, found)
+        around = _around(first, block, search.reach)
+        search.find(block, among, found, _span(around, search.heights_um))
         needed = below[block[0] : block[1], block[2] : block[3]]
         known.take(found, needed & (found.score > known.score))
 
@@ -73,6 +83,21 @@ def leaning(slopes: NDArray[np.float64], direction: tuple[float, float]) -> NDAr
     chosen = np.zeros(len(slopes), dtype=np.bool_)
     chosen[order[: len(slopes) // 2 + 1]] = True
     return chosen
+
+
+def _around(height_um: FloatImage, block: Tile, reach: int) -> FloatImage:
+    """Known heights (M,) in a block and around it."""
+    part = height_um[
+        max(block[0] - reach, 0) : block[1] + reach, max(block[2] - reach, 0) : block[3] + reach
+    ]
+    known: FloatImage = part[np.isfinite(part)]
+    return known
+
+
+def _span(around: FloatImage, heights_um: NDArray[np.float64]) -> slice:
+    """Candidate heights over the range of those around, and :data:`MARGIN` beyond either end."""
+    first, last = np.searchsorted(heights_um, (around.min(), around.max()))
+    return slice(max(int(first) - MARGIN, 0), int(last) + MARGIN)
 
 
 def _blocks(needed: BoolImage) -> list[Tile]:

@@ -93,26 +93,31 @@ class JointSearch:
         """Shifts in the middle of the field."""
         return plan_shifts(self.slopes, self.heights_um, self.pixel_um, self.telecentricity_per_um)
 
-    def find(self, tile: Tile, among: NDArray[np.bool_], found: Peaks) -> None:
+    def find(
+        self, tile: Tile, among: NDArray[np.bool_], found: Peaks, span: slice = slice(None)
+    ) -> None:
         """Fill ``found`` (of the tile's size) with the peaks of a tile, seen by the views ``among`` (K,).
+
+        ``span`` are the candidate heights to try, all of them if left out; quality is the lead over their median.
 
         A view counts only where its windows lie inside the frame for the whole tile; a height counts where at
         least half of all pairs of the chosen views do.
         """
         plan = self._plan_at(tile)
+        heights_um = self.heights_um[span]
         used = self._inside(plan, tile) & among
         chosen = int(among.sum())
         count = used.sum(axis=1)
         used[2 * count * (count - 1) < chosen * (chosen - 1)] = False
-        curves = np.empty((self.heights_um.size, *found.score.shape), dtype=np.float32)
+        curves = np.empty((heights_um.size, *found.score.shape), dtype=np.float32)
         score_tile_jointly(
             self.channels.images,
             self.channels.margin,
-            plan.row_whole,
-            plan.col_whole,
-            plan.row_weights,
-            plan.col_weights,
-            used,
+            plan.row_whole[span],
+            plan.col_whole[span],
+            plan.row_weights[span],
+            plan.col_weights[span],
+            used[span],
             tile,
             self.small_window,
             self.large_window,
@@ -122,8 +127,8 @@ class JointSearch:
         )
         pick_heights(
             curves,
-            self.heights_um,
-            math.ceil(LEAST_SHARE * self.heights_um.size),
+            heights_um,
+            math.ceil(LEAST_SHARE * heights_um.size),
             True,
             found.height_um,
             found.quality,
