@@ -65,6 +65,7 @@ def test_only_what_is_there_is_drawn(example: Reconstruction, tmp_path: Path) ->
     lone = replace(
         example,
         kind="stereo",
+        sigma_um=None,
         normals=None,
         albedo=None,
         photometric_quality=None,

@@ -154,10 +154,13 @@ def _matched(inputs: Inputs, channels: FloatImage, clock: StageClock) -> _Stereo
                 f"No height reaches the quality of {threshold:g}.",
                 hint="Check focus, exposure and the range of heights; look at a frame.",
             )
-        trust = np.where(accepted, matched.quality, np.float32(0))
         if inputs.photometric:
-            return _Stereo(matched, accepted, fill_heights(matched.height_um, trust))
+            assert matched.sigma_um is not None  # joint matching tells it
+            sigma_um = np.where(accepted, matched.sigma_um, np.float32(np.inf))
+            filled_um = fill_heights(matched.height_um, sigma_um, job=clock.job)
+            return _Stereo(matched, accepted, filled_um)
     with clock.timed("smooth"):
+        trust = np.where(accepted, matched.quality, np.float32(0))
         known = np.where(accepted, matched.height_um, np.float32(np.nan))
         smoothed = smoothing.smooth_robust(known, trust, resolution=1.0, job=clock.job)
     return _Stereo(matched, accepted, smoothed.values)
