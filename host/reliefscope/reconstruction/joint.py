@@ -58,7 +58,7 @@ NOISE_SHARE = 0.005
 """Variance added to each window's in the denominator, as a share of the median window variance."""
 DARK_SHARE = 0.05
 """Intensity added before the logarithm, as a share of the median intensity."""
-QUALITY_THRESHOLD = 0.1
+QUALITY_THRESHOLD = 0.03
 """Quality below which heights are better discarded (docs/explanation/default-method.md)."""
 LEAST_SIDE = 48
 """Binned images are at least so wide and high; smaller ones are matched as they are."""
