@@ -166,12 +166,12 @@ DS1 = Simulant(
     "ds1",
     "asteroid, DS-1-CR-1",
     (
-        GrainKind("dark matrix", 0.78, "angular", (9, 34), 1.0, *_BLOCKY, 0.2, _MATRIX),
-        GrainKind("grey silicate", 0.12, "angular", (8, 28), 1.0, *_BLOCKY, 0.2, _OLIVINE),
+        GrainKind("dark matrix", 0.78, "angular", (8, 27), 1.0, *_BLOCKY, 0.2, _MATRIX),
+        GrainKind("grey silicate", 0.12, "angular", (7, 23), 1.0, *_BLOCKY, 0.2, _OLIVINE),
         GrainKind("shining crystal", 0.10, "angular", (6, 13), 0.0, *_STOCKY, 0.1, _CRYSTAL),
     ),
     Material((0.30, 0.29, 0.28), _DULL, None, relief_um=0.8),
-    grains_per_mm2=1400.0,
+    grains_per_mm2=1700.0,
     on_top=GrainKind("white prolate grain", 0.0, "rounded", (60, 80), 0.0, *_PROLATE, 0.0, _WHITE),
     on_top_length_um=300.0,
 )
