@@ -108,3 +108,15 @@ def test_powers_that_are_off_by_a_fifth_are_found() -> None:
     before = solve(images, nominal, pixel_um)
     after = solve(images, nominal.scaled(factors), pixel_um)
     assert np.median(after.residual) < 0.6 * np.median(before.residual)
+
+
+def test_powers_that_the_sample_does_not_tell_are_refused() -> None:
+    rng = np.random.default_rng(4)
+    lights = LightField.of_leds(
+        np.concatenate([ring(22.5, 30.0, 8), ring(45.0, 30.0, 8)]), np.eye(16)
+    )
+    scattered = rng.uniform(0.45, 0.55, (16, 60, 80)).astype(np.float32)
+    with pytest.raises(InvalidInputError, match="does not tell"):
+        refine_powers(scattered, lights, 8.0)
+    with pytest.raises(InvalidInputError, match="at least 5"):
+        refine_powers(scattered[:4], lights.subset(range(4)), 8.0)

@@ -1,3 +1,4 @@
+import numba
 import numpy as np
 import pytest
 
@@ -293,3 +294,17 @@ def test_lights_that_cannot_work_are_refused_with_the_number() -> None:
     usable = np.ones((16, 4, 5), bool)
     with pytest.raises(InvalidInputError, match="mask"):
         solve(np.zeros((16, 4, 4), np.float32), LightField.distant(lights), 1.0, usable=usable)
+
+
+def test_the_number_of_threads_changes_nothing() -> None:
+    rng = np.random.default_rng(12)
+    images = rng.uniform(0.05, 1.0, (16, 70, 150)).astype(np.float32)
+    field = LightField.of_leds(30.0 * ring_lights(), np.eye(16), 8.75)
+    threads = numba.get_num_threads()
+    results = []
+    for count in {1, threads}:
+        numba.set_num_threads(count)
+        results.append(solve(images, field, 4.0))
+    numba.set_num_threads(threads)
+    for name in ("normals", "albedo", "residual", "quality", "sigma_rad", "lights_used"):
+        np.testing.assert_array_equal(getattr(results[0], name), getattr(results[-1], name))
