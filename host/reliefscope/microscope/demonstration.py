@@ -80,6 +80,7 @@ def demo(
     seed: int = 1,
     profile: str = DEFAULT_PROFILE,
     method: str = DEFAULT_METHOD,
+    beside: str | None = None,
     job: Job | None = None,
 ) -> DemoResult:
     """Acquire, reconstruct, evaluate and draw, on a simulated instrument.
@@ -94,6 +95,8 @@ def demo(
         What lies under the objective, and the seed of it and of the noise.
     profile, method:
         Instrument to simulate, method of reconstruction.
+    beside:
+        Another method, whose result and errors are told beside those of ``method``.
     job:
         Receives progress; may cancel.
 
@@ -105,7 +108,9 @@ def demo(
     from reliefscope.reconstruction.settings import settings_for
 
     job = ensure_job(job)
-    settings_for(method)  # refuse a wrong name before anything is taken
+    methods = [method] if beside in (None, method) else [method, beside]
+    for name in methods:
+        settings_for(name)  # refuse a wrong name before anything is taken
     url = demo_url(profile, scene, finish, seed, size)
     place = fresh_path("demo") if out is None else Path(out)
     started = time.perf_counter()
@@ -116,12 +121,15 @@ def demo(
         sample = f"{scene} ({finish})" if finish else scene
         run = microscope.acquire(out=place, job=job, sample=sample, notes=f"demonstration, {url}")
         stages["acquire"] = time.perf_counter() - begun
-    outcome = run.reconstruct(method=method, job=job)
+    outcome, *others = [
+        run.reconstruct(method=name, pictures=name == method, job=job) for name in methods
+    ]
     stages.update(outcome.stages_s)
+    stages.update({f"method {other.name}": other.total_s for other in others})
     evaluation: Evaluation | None = None
     if scene == DEFAULT_SCENE:
         begun = time.perf_counter()
-        evaluation = run.evaluate(name=outcome.name, job=job)
+        evaluation = run.evaluate(job=job)
         stages["evaluate"] = time.perf_counter() - begun
     return DemoResult(
         run=run.path,

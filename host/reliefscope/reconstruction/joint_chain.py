@@ -263,7 +263,7 @@ def _surface(
             solved.normals,
             np.where(np.isfinite(solved.normals).all(axis=-1), solved.sigma_rad, none),
             pixel_um,
-            images=shading.images,
+            images=np.nan_to_num(shading.images, copy=False),
             job=clock.job,
         )
     figures["solver_iterations"] = fused.iterations

@@ -46,6 +46,7 @@ class ViewAverage:
         self._pixel_um = pixel_um
         self._sums = np.zeros((lights, *height_um.shape), np.float32)
         self._counts = np.zeros(height_um.shape, np.float32)
+        self._missing = np.zeros(self._sums.shape, np.uint8)
 
     def add(
         self,
@@ -57,8 +58,8 @@ class ViewAverage:
     ) -> None:
         """Add the frames (L, H, W) of one view, multiplied by ``gain``, where the view sees the point.
 
-        ``visible`` (H, W) says where it does; bilinear between pixels.  Progress (stage ``register``, per
-        strip of rows) and cancellation go to ``job``.
+        ``visible`` (H, W) says where it does.  Bilinear between pixels; NaN is missing under that light only.
+        Progress (stage ``register``, per strip of rows) and cancellation go to ``job``.
         """
         cols_per_um, rows_per_um = apparent_shift_px(1.0, slope, self._pixel_um)
         seen = np.ones(self._height.shape, np.bool_) if visible is None else visible
@@ -75,6 +76,7 @@ class ViewAverage:
                 *rows,
                 self._sums,
                 self._counts,
+                self._missing,
             )
 
         strips = tiles.spans(self._height.shape[0], STRIP_ROWS)
@@ -82,15 +84,15 @@ class ViewAverage:
             tiles.run_each(work, strips, stage)
 
     def mean(self, factors: NDArray[np.float64]) -> FloatImage:
-        """Mean over the views (L, H, W), times a factor (L,) per light; NaN where no view sees the point.
+        """Mean over the views (L, H, W), times a factor (L,) per light; NaN where none sees the point.
 
         The sums are used up: call it once, at the end.
         """
-        with np.errstate(divide="ignore"):
-            share = np.where(self._counts > 0, 1 / self._counts, np.float32(np.nan))
-        for total, factor in zip(self._sums, factors, strict=True):
-            total *= share
-            total *= np.float32(factor)
+        for total, missing, factor in zip(self._sums, self._missing, factors, strict=True):
+            known = self._counts - missing
+            with np.errstate(divide="ignore", invalid="ignore"):
+                total *= np.float32(factor) / known
+            total[known <= 0] = np.nan
         return self._sums
 
 
@@ -107,10 +109,12 @@ def add_rows(
     stop: int,
     sums: FloatImage,
     counts: FloatImage,
+    missing: NDArray[np.uint8],
 ) -> None:
     """Add rows ``first`` to ``stop`` of the frames (L, H, W) at ``(row + z rows_per_um, col + z cols_per_um)``.
 
-    The shifts per um are those in the middle of the field.
+    The shifts per um are those in the middle of the field.  ``counts`` (H, W) are the views that see a point,
+    ``missing`` (L, H, W) those of them that know nothing of it under a light.
     """
     lights, rows, cols = frames.shape
     middle_row, middle_col = 0.5 * (rows - 1), 0.5 * (cols - 1)
@@ -153,4 +157,8 @@ def add_rows(
                 t, u = across[i], down[i]
                 above = frame[y0, x0] + t * (frame[y0, x0 + 1] - frame[y0, x0])
                 below = frame[y0 + 1, x0] + t * (frame[y0 + 1, x0 + 1] - frame[y0 + 1, x0])
-                sums[n, r, used[i]] += gain * (above + u * (below - above))
+                value = above + u * (below - above)
+                if np.isnan(value):
+                    missing[n, r, used[i]] += 1
+                else:
+                    sums[n, r, used[i]] += gain * value

@@ -40,6 +40,14 @@ def demo(
     method: Annotated[
         str, typer.Option("--method", metavar="NAME", help=f"{METHOD_HELP}.")
     ] = METHOD_NAMES[0],
+    beside: Annotated[
+        str | None,
+        typer.Option(
+            "--beside",
+            metavar="NAME",
+            help="Another method, whose errors are shown beside: `paper` takes minutes at full size.",
+        ),
+    ] = None,
     as_json: JsonFlag = False,
     progress: ProgressOption = ProgressMode.AUTO,
 ) -> None:
@@ -61,6 +69,7 @@ def demo(
             seed=seed,
             profile=profile,
             method=method,
+            beside=beside,
             job=this.job,
         )
     this.result(result.as_dict(), lambda console: show_demo(console, result))
