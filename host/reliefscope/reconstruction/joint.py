@@ -50,7 +50,7 @@ two pixels to four: an image so blurred (4 would be all blur, 2 a sharp edge, 1 
 SMALL_WINDOW = 3
 LARGE_WINDOW = 5
 """Windows in binned pixels: correlated, and averaged over."""
-LARGE_WINDOW_ALONE = 7
+LARGE_WINDOW_ALONE = 9
 """Window that is averaged over where there is one channel: fewer samples vote."""
 STEP_PX = 0.33
 """Parallax, in binned pixels and against the mean view, between neighbouring candidate heights."""
