@@ -200,7 +200,7 @@ def smooth_five(
 @njit(cache=True)
 def _pull(a: FloatImage, z: FloatImage, y: int, x: int) -> np.float32:
     """Sum of coupling times height over the eight neighbours."""
-    return (
+    total: np.float32 = (
         a[EAST, y, x - 1] * z[y, x - 1]
         + a[EAST, y, x] * z[y, x + 1]
         + a[SOUTH, y - 1, x] * z[y - 1, x]
@@ -210,6 +210,7 @@ def _pull(a: FloatImage, z: FloatImage, y: int, x: int) -> np.float32:
         + a[SOUTH_WEST, y - 1, x + 1] * z[y - 1, x + 1]
         + a[SOUTH_WEST, y, x] * z[y + 1, x - 1]
     )
+    return total
 
 
 @njit(cache=True, parallel=True)

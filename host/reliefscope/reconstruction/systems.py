@@ -167,6 +167,16 @@ class SpringSystem:
         self.right: Field = self._hold * target_um
         _add_rises(self.right, self._across * rise_across, self._down * rise_down)
 
+    def weights(self) -> tuple[Field, Field, Field]:
+        """Squared weights: ``hold``, ``across`` and ``down``."""
+        return self._hold, self._across, self._down
+
+    def renewed(self) -> SpringSystem:
+        """The same system without the preconditioner that was made for it."""
+        other = copy.copy(self)
+        other._multigrid = None
+        return other
+
     def drawn(self, generator: np.random.Generator) -> SpringSystem:
         """The same springs with a right-hand side drawn at random: of covariance A, so its solution has A^-1."""
         sample = copy.copy(self)
