@@ -202,11 +202,10 @@ def _views(run: Run) -> FloatImage:
     """Smoothed mean over the lights (K, H, W) of every view."""
     count = len(run.light_names)
     views = np.zeros((len(run.view_names), *run.shape), dtype=np.float32)
-    for view, _, image in run.stack():
-        views[view] += image / np.float32(count)
-    for view in views:
-        view[...] = cv2.GaussianBlur(view, (0, 0), _SMOOTHING_PX)
-    return views
+    for index, _, image in run.stack():
+        views[index] += image / np.float32(count)
+    smooth = [cv2.GaussianBlur(image, (0, 0), _SMOOTHING_PX) for image in views]
+    return np.asarray(smooth, dtype=np.float32)
 
 
 def _reduced(image: FloatImage, factor: int) -> FloatImage:
