@@ -72,8 +72,8 @@ LEAST_SIGMA_RAD, GREATEST_SIGMA_RAD = 0.02, 0.3
 """Bounds of the standard errors: what calibration of lights and pixels leaves; what any shading still tells."""
 WEAKEST_HOLD = 1e-8
 """Weight per um^2 that ties a pixel without a height to the median height."""
-TOLERANCE_UM = 0.015
-"""Estimated RMS distance to the exact minimum at which the last linear system is solved; the true one is up to three
+TOLERANCE_UM = 0.006
+"""Estimated RMS distance to the exact minimum at which the last linear system is solved; the true one is up to eight
 times larger (bench_fusion)."""
 ROUND_ITERATIONS = 6
 """Iterations of the solver in a round that another follows: its weights are provisional anyway."""

@@ -26,6 +26,9 @@ from reliefscope.units import FloatImage
 _COARSEST = 30
 """Pixels at which a level is smoothed to convergence instead of coarsened further."""
 _COARSEST_SWEEPS = 16
+_FINEST_SWEEPS = 4
+"""Sweeps on the finest level for each on the others: they are cheap there, and chains of pixels between cut springs,
+which coarse grids cannot see, are smoothed nowhere else."""
 _SHARED = 40_000
 """Pixels from which a level is worth the threads: on small ones they wait for each other longer than they work."""
 
@@ -123,7 +126,9 @@ class Multigrid:
         finest = level is self._levels[0]
         smooth = kernels.smooth_five if finest else kernels.smooth
         colours = range(2 if finest else 4)
-        sweeps = self._sweeps if level.weights is not None else _COARSEST_SWEEPS
+        sweeps = self._sweeps * (_FINEST_SWEEPS if finest else 1)
+        if level.weights is None:
+            sweeps = _COARSEST_SWEEPS
         for _ in range(sweeps):
             for colour in reversed(colours) if up else colours:
                 smooth(level.couplings, level.inverse, level.right, level.solution, colour)
