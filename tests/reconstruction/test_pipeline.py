@@ -3,6 +3,7 @@
 from collections.abc import Iterable, Iterator
 from dataclasses import dataclass, field, replace
 
+import numba
 import numpy as np
 import pytest
 from scipy import ndimage
@@ -249,3 +250,17 @@ def test_cancelling(frames: ArrayFrames) -> None:
     job.cancel()
     with pytest.raises(Cancelled):
         reconstruct(frames, JOINT, job)
+
+
+def test_the_result_is_the_same_for_any_number_of_threads(frames: ArrayFrames) -> None:
+    whole = reconstruct(frames, JOINT)
+    threads = numba.get_num_threads()
+    numba.set_num_threads(1)
+    try:
+        alone = reconstruct(frames, JOINT)
+    finally:
+        numba.set_num_threads(threads)
+    for name in ("height_um", "sigma_um", "normals", "albedo"):
+        np.testing.assert_allclose(
+            getattr(whole, name), getattr(alone, name), rtol=0, atol=1e-4, err_msg=name
+        )

@@ -82,7 +82,7 @@ def reconstruct_jointly(
                 inputs,
                 clock,
                 stereo.matched,
-                stereo.filled_um,
+                np.where(stereo.accepted, stereo.matched.height_um, stereo.filled_um),
                 shading.solved,
                 shading.images,
                 shading.lit,

@@ -153,11 +153,11 @@ def check_result(
     slopes = compare_slopes(height_um, normals, good, pixel_um)
     shadows = compare_shadows(whole, normals, images, lights, pixel_um)
     held, faulty = _hold_out(images, lights, whole, good & lit.all(axis=0), pixel_um)
-    findings = _map_findings(slopes, shadows, lights, light_names) or _scale_findings(
-        slopes, shadows
-    )
-    if held is not None:
-        findings += _level_findings(held, faulty, light_names)
+    findings = _map_findings(slopes, shadows, lights, light_names)
+    if not findings:  # a wrong map has every other fault as its consequence
+        findings = _scale_findings(slopes, shadows)
+        if held is not None:
+            findings += _level_findings(held, faulty, light_names)
     return SelfCheck(_figures(slopes, shadows, held), tuple(findings))
 
 
