@@ -8,6 +8,10 @@ from pathlib import Path
 from typing import Any
 from urllib.parse import urlencode
 
+import cv2
+import numpy as np
+
+from reliefscope.dataset import Run
 from reliefscope.errors import InvalidInputError
 from reliefscope.jobs import Job, ensure_job
 from reliefscope.microscope.experiments.runs import result_of, run_of
@@ -15,6 +19,7 @@ from reliefscope.microscope.instruments import DEFAULT_PROFILE, DEMO_SCHEME
 from reliefscope.microscope.places import fresh_path
 from reliefscope.microscope.reconstructing import DEFAULT_METHOD
 from reliefscope.report.simulant import simulant_figure
+from reliefscope.units import FloatImage
 
 SIMULANTS = {
     "ds1": "Asteroid simulant DS-1-CR-1",
@@ -88,10 +93,25 @@ def simulant_figures(
     for name in simulants:
         run = run_of(_url(name, size, seed), folder / name, SIMULANTS[name], job)
         result = result_of(run, method, job)
-        colour = run.data.rgb("centre", None, None) if run.data.has("centre") else None
-        figure = simulant_figure(result, colour, SIMULANTS[name], folder / f"{name}.jpg")
+        figure = simulant_figure(
+            result, _colours(run.data), SIMULANTS[name], folder / f"{name}.jpg"
+        )
         figures.append(SimulantFigure(name, run.path, figure, result.summary()))
     return figures
+
+
+def _colours(run: Run) -> FloatImage | None:
+    """The centre frame (H, W, 3) in the camera's colours; white where a pixel or one beside it is saturated.
+
+    There the leakage is subtracted from counts that no longer rise with the light, which leaves false colours.
+    """
+    if not run.has("centre"):
+        return None
+    colours = run.rgb("centre", None, None)
+    full = run.spec.frame.full_scale * run.record("centre", None, None).accumulated
+    saturated = (run.raw("centre", None, None) >= full).astype(np.uint8)
+    colours[cv2.dilate(saturated, np.ones((5, 5), np.uint8)) > 0] = colours.max()
+    return colours
 
 
 def _url(name: str, size: tuple[int, int] | None, seed: int) -> str:
