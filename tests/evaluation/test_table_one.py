@@ -42,8 +42,8 @@ def test_every_finish_method_and_mean_has_its_line():
     assert [float(table[name, "joint"][4]) for name in FINISHES] == pytest.approx(
         [1, 2, 3], abs=0.05
     )
-    assert table["dull", "paper, O2 long"] == ["1.9", "-", "4.9", "7.1", "11.0"]
-    assert table["metallic", "paper, its z-stack"][-1] == "10.0"
+    assert table["dull", "published, O2 long"] == ["1.9", "-", "4.9", "7.1", "11.0"]
+    assert table["metallic", "published z-stack"][-1] == "10.0"
     assert float(table["**mean**", "joint"][4]) == pytest.approx(2.0, abs=0.05)
     assert float(table["**mean**", Z_STACK][4]) == pytest.approx(3.0, abs=0.05)
     raw = table_markdown({"half": measured["half"]}, "raw").splitlines()

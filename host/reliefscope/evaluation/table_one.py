@@ -70,14 +70,14 @@ def table_markdown(rows: Mapping[str, Sequence[TableRow]], alignment: str = "off
             lines.append(
                 _line(
                     finish,
-                    f"paper, {paper.version}",
+                    f"published, {paper.version}",
                     [paper.sections_um.get(name) for name in names],
                 )
             )
             lines.append(
                 _line(
                     finish,
-                    "paper, its z-stack",
+                    "published z-stack",
                     [paper.z_stack_um if name == "full" else None for name in names],
                 )
             )
