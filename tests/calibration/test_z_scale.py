@@ -6,9 +6,9 @@ import pytest
 from reliefscope.calibration.z_scale import fit_z_scale, measure_height
 from reliefscope.errors import InvalidInputError
 from reliefscope.microscope import calibrate_z
+from reliefscope.microscope.experiments.z_figure import plot_z_scale
 from reliefscope.models.calibration import Calibration
 from reliefscope.models.instrument import load_profile
-from reliefscope.report.z_calibration import plot_z_scale
 
 STAGE = np.arange(-50.0, 55.0, 10.0)
 

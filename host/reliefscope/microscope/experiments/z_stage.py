@@ -19,13 +19,13 @@ from reliefscope.calibration.z_scale import (
 )
 from reliefscope.errors import DatasetError, InvalidInputError, OutputExistsError
 from reliefscope.jobs import Job, ensure_job
+from reliefscope.microscope.experiments.z_figure import plot_z_scale
 from reliefscope.microscope.live import Microscope
 from reliefscope.microscope.places import fresh_path
 from reliefscope.microscope.stored import StoredRun, open_run
 from reliefscope.models.calibration import Calibration
 from reliefscope.models.instrument import InstrumentProfile
 from reliefscope.models.plan import Light, Plan, pattern_apertures
-from reliefscope.report.z_calibration import plot_z_scale
 
 STAGE_FIELD = "{stage_um}"
 """What an address holds where the stage moves by itself; it stands for the height in um."""
