@@ -31,7 +31,7 @@ def test_examples_of_the_scripting_guide_run(
         exec(compile(example, f"scripting.md, example {number}", "exec"), names)
     printed = capsys.readouterr().out
     assert "planes" in printed
-    assert "['mine', 'paper']" in printed
+    assert "['joint', 'wide']" in printed
     made = {path.name for path in (tmp_path / "runs").iterdir()}
     assert made >= {"first", "basalt-01", "campaign-A", "campaign-B"}
 

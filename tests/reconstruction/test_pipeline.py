@@ -144,13 +144,6 @@ def test_the_relief_is_recovered(
 
 
 @BOTH
-def test_streaming_gives_what_memory_gives(frames: ArrayFrames, settings: Settings) -> None:
-    kept = reconstruct(frames, settings)
-    streamed = reconstruct(frames, settings.model_copy(update={"frames_in_memory_mb": 0}))
-    np.testing.assert_array_equal(kept.height_um, streamed.height_um)
-
-
-@BOTH
 def test_unequal_gain_of_views_and_power_of_lights_are_taken_off(
     frames: ArrayFrames, truth: np.ndarray, settings: Settings
 ) -> None:

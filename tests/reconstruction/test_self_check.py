@@ -145,8 +145,10 @@ def test_a_wrong_sign_and_wrong_views_are_told_apart(run: Run) -> None:
         "scene=fiducial&finish=metallic",
         "scene=flat",
         "scene=hemisphere&scene.texture=0.4&scene.radius_um=90&scene.base_um=-40",
+        "scene=regolith",
+        "scene=regolith&simulant=jsc1a",
     ],
-    ids=["half", "metallic", "flat", "hemisphere"],
+    ids=["half", "metallic", "flat", "hemisphere", "mars1", "jsc1a"],
 )
 def test_other_sound_samples_show_no_fault(tmp_path: Path, options: str) -> None:
     assert check(take(tmp_path, options)).findings == ()

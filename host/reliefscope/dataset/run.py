@@ -37,6 +37,8 @@ log = logging.getLogger(__name__)
 
 MASK_FILE = "mask.png"
 PREFETCH_THREADS = 2
+PREFETCH_FRAMES = 16
+"""Frames read ahead: the threads go on while whoever reads works on a view."""
 MONO_SATURATION = 0.995
 MOSAIC_SATURATION = 0.75
 """Share of full scale from which luminance counts as saturated.  On simulated metal, 97 to 99 % of the counts at full
@@ -306,7 +308,7 @@ class Run:
                     ahead.append((view, light, pool.submit(self.linear, view, light)))
                     return
 
-            for _ in range(PREFETCH_THREADS + 1):
+            for _ in range(PREFETCH_FRAMES):
                 request_next()
             try:
                 while ahead:

@@ -1,4 +1,4 @@
-"""Reading every frame once: means over groups of lights for matching, frames kept for registration."""
+"""One pass over the frames: means over groups of lights, for matching."""
 
 from __future__ import annotations
 
@@ -24,14 +24,11 @@ class ChannelMeans:
         (C,) share of the lights in each group.
     gains:
         (K,) factors that brought the views to equal mean.
-    kept:
-        (K, L, H, W) the frames as read, without the gains; None where they were not to be kept.
     """
 
     images: FloatImage
     shares: NDArray[np.float32]
     gains: NDArray[np.float64]
-    kept: FloatImage | None
 
     def micrograph(self, view: int) -> FloatImage:
         """Mean over all lights (H, W) of one view."""
@@ -39,10 +36,8 @@ class ChannelMeans:
         return mean
 
 
-def read_channel_means(
-    inputs: Inputs, groups: list[list[int]], clock: StageClock, *, keep: bool
-) -> ChannelMeans:
-    """Read every frame once.
+def read_channel_means(inputs: Inputs, groups: list[list[int]], clock: StageClock) -> ChannelMeans:
+    """Read every frame and add it up.
 
     Parameters
     ----------
@@ -52,8 +47,6 @@ def read_channel_means(
         Lights of each channel; every light belongs to one.
     clock:
         Progress (stage ``read frames``, per frame), cancellation and time.
-    keep:
-        Keep the frames.
 
     Raises
     ------
@@ -63,11 +56,8 @@ def read_channel_means(
     frames, views, lights = inputs.frames, inputs.view_count, inputs.light_count
     channel = {light: c for c, group in enumerate(groups) for light in group}
     means = np.zeros((len(groups), views, *frames.shape), np.float32)
-    kept = np.empty((views, lights, *frames.shape), np.float32) if keep else None
     with clock.timed("read frames"), clock.job.stage("read frames", views * lights) as stage:
         for view, light, image in frames.stack():
-            if kept is not None:
-                kept[view, light] = image
             means[channel[light], view] += image
             stage.advance()
         for c, group in enumerate(groups):
@@ -78,4 +68,4 @@ def read_channel_means(
             refuse_undefined(float(level), f"view {frames.view_names[view]}")
         gains = levels.mean() / levels
         means *= gains.astype(np.float32)[:, None, None]
-    return ChannelMeans(means, shares, gains, kept)
+    return ChannelMeans(means, shares, gains)

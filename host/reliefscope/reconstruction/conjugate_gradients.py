@@ -23,7 +23,7 @@ from reliefscope.reconstruction.systems import System
 
 _WINDOW = 4
 """Iterations over which the rate of convergence is judged."""
-_SHARED = 500_000
+_SHARED = 200_000
 """Pixels from which the work is worth several threads: each iteration is some dozens of short loops, and on a busy
 machine the threads wait for each other after every one."""
 

@@ -131,11 +131,6 @@ class Inputs:
             field = LightField.distant(self.directions, self.relative_powers)
         return field.scaled(1.0 / self.relative_powers)
 
-    def frames_mb(self) -> float:
-        """Memory that all frames take as float32."""
-        rows, columns = self.frames.shape
-        return self.view_count * self.light_count * rows * columns * 4e-6
-
     def with_mask(self, quality: FloatImage) -> FloatImage:
         """Quality (H, W), 0 outside the mask."""
         return quality if self.mask is None else np.where(self.mask, quality, np.float32(0.0))

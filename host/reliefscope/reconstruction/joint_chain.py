@@ -1,7 +1,6 @@
 """The method ``joint``: the default.
 
-1. Every frame is read once.  For matching, each view is averaged over groups of lights; for registration the
-   frames are kept, or read again where they take more memory than allowed.
+1. Each view is averaged over groups of lights for matching.  No frame is kept: for registration all are read again.
 2. Joint matching over the groups (:mod:`~reliefscope.reconstruction.joint`); heights of low quality are
    discarded, and filled from their surroundings for the steps in between.
 3. Frames are brought to the view s = 0 by the height, and averaged over the views that see the point, light by
@@ -131,7 +130,6 @@ def _read(inputs: Inputs, clock: StageClock) -> ChannelMeans:
         inputs,
         joint.light_groups(inputs.frames.lights, inputs.light_count),
         clock,
-        keep=inputs.photometric and inputs.frames_mb() <= inputs.settings.frames_in_memory_mb,
     )
 
 
@@ -212,8 +210,12 @@ def _registered(
             )
     average = ViewAverage(height_um, run.pixel_um, inputs.light_count, run.telecentricity_per_um)
     with clock.timed("register"), clock.job.stage("register", inputs.view_count) as stage:
-        for view, (sx, sy) in enumerate(inputs.slopes):
-            frames = _frames(inputs, means, view)
+        frames = np.empty((inputs.light_count, *run.shape), np.float32)
+        for view, light, image in run.stack():
+            frames[light] = image
+            if light < inputs.light_count - 1:
+                continue
+            sx, sy = inputs.slopes[view]
             blank_saturated(frames, run, view)
             average.add(
                 frames,
@@ -223,14 +225,6 @@ def _registered(
             )
             stage.advance()
         return average.mean(1.0 / inputs.relative_powers)
-
-
-def _frames(inputs: Inputs, means: ChannelMeans, view: int) -> FloatImage:
-    """Frames (L, H, W) of one view, as read."""
-    if means.kept is not None:
-        kept: FloatImage = means.kept[view]
-        return kept
-    return np.stack([image for _, _, image in inputs.frames.stack([view])])
 
 
 def _surface(

@@ -37,12 +37,7 @@ def reconstruct_by_paper(
     means: ChannelMeans | None = None
     check: SelfCheck | None = None
     if inputs.stereo:
-        means = read_channel_means(
-            inputs,
-            [list(range(inputs.light_count))],
-            clock,
-            keep=inputs.frames_mb() <= inputs.settings.frames_in_memory_mb,
-        )
+        means = read_channel_means(inputs, [list(range(inputs.light_count))], clock)
         if micrograph is None:
             micrograph = means.micrograph(inputs.nearest)
         stereo = _match(inputs, means.images[0], clock)
@@ -132,11 +127,10 @@ def _registered(
     run = inputs.frames
     views = [inputs.nearest] if height_um is None else list(range(inputs.view_count))
     gains = np.ones(inputs.view_count) if means is None else means.gains
-    kept = None if means is None else means.kept
     out = np.empty((inputs.light_count, *run.shape), np.float32)
     with clock.timed("register"), clock.job.stage("register", inputs.light_count) as stage:
         for light, power in enumerate(inputs.relative_powers):
-            frames = _frames(inputs, kept, views, light)
+            frames = np.stack([image for _, _, image in run.stack(views, [light])])
             frames *= gains[views].astype(np.float32)[:, None, None]
             if height_um is not None:
                 frames = registration.to_reference(
@@ -148,14 +142,6 @@ def _registered(
                 refuse_undefined(level, f"light {run.light_names[light]}")
             stage.advance()
     return out
-
-
-def _frames(inputs: Inputs, kept: FloatImage | None, views: list[int], light: int) -> FloatImage:
-    """Frames (K, H, W) of one light, as read."""
-    if kept is not None:
-        frames: FloatImage = kept[views, light]
-        return frames
-    return np.stack([image for _, _, image in inputs.frames.stack(views, [light])])
 
 
 def _surface(

@@ -77,8 +77,6 @@ class Settings(StrictModel):
     """``auto``: stereo where there are two views or more, photometric where there are two lights or more."""
     height_range_um: tuple[float, float] | None = None
     """Lowest and highest height searched; None: as the run says."""
-    frames_in_memory_mb: Annotated[int, Field(ge=0)] = 1500
-    """Runs whose frames take more, as float32, are read twice instead of kept."""
     joint: JointSettings = JointSettings()
     paper: PaperSettings = PaperSettings()
 
