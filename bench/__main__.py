@@ -9,7 +9,6 @@ one do not show in another.  The physical limit stands first: how fast this mach
 from __future__ import annotations
 
 import argparse
-import importlib
 import json
 import multiprocessing
 import os
@@ -20,6 +19,7 @@ from concurrent.futures import ProcessPoolExecutor
 from pathlib import Path
 
 import numpy as np
+from bench.figures import figures_of
 
 COPY_MB = 256
 TARGET = Path("build/bench.json")
@@ -35,12 +35,6 @@ def memory_copy_gb_per_s() -> float:
         np.copyto(target, source)
         best = min(best, time.perf_counter() - started)
     return 2 * source.nbytes / best / 1e9
-
-
-def figures_of(name: str) -> dict[str, float]:
-    """What ``bench_NAME`` measures."""
-    found: dict[str, float] = importlib.import_module(f"bench.bench_{name}").run()
-    return found
 
 
 def modules() -> list[str]:

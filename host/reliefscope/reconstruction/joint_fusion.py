@@ -75,9 +75,9 @@ WEAKEST_HOLD = 1e-8
 TOLERANCE_UM = 0.006
 """Estimated RMS distance to the exact minimum at which the last linear system is solved; the true one is up to eight
 times larger (bench_fusion)."""
-ROUND_ITERATIONS = 6
+ROUND_ITERATIONS = 5
 """Iterations of the solver in a round that another follows: its weights are provisional anyway."""
-MAXIMUM_ITERATIONS = 16
+MAXIMUM_ITERATIONS = 12
 """Iterations of the last round.  More bring single bands between cut springs nearer to the minimum, by more than the
 tolerance, but change no mean error by 0.1 um (docs/explanation/fusion.md)."""
 LEAST_SIDE = 32
