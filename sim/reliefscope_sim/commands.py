@@ -187,7 +187,7 @@ def truth(
 ) -> None:
     """Write what really lies under the instrument, on the grid of its frames: heights, reflectance, grains.
 
-    The maps are a height map too: `scene=heightmap&file=FILE.npz` puts it under an instrument again.
+    `scene=heightmap&file=FILE.npz&scene.level=no` puts the shape, not the material, under an instrument again.
     """
     from reliefscope_sim.truth import Truth
 

@@ -101,6 +101,8 @@ def test_table_one_and_its_second_look(tmp_path):
     assert again.rows == table.rows
     assert (tmp_path / "dull" / "run.json").stat().st_mtime_ns == stamp
     assert json.loads((tmp_path / "table_one.json").read_text())["rows"]["dull"]
+    with pytest.raises(InvalidInputError, match="was taken with"):
+        table_one(tmp_path, finishes=["dull"], methods=["paper"], size=(160, 120))
 
 
 @pytest.mark.soak

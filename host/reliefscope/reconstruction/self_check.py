@@ -39,7 +39,7 @@ LEAST_FIT = 0.5
 MARGIN = 0.1
 """By how much another map must fit better than the one given."""
 LEAST_SHADED = 0.05
-"""Share of the pairs of pixel and light that must be dark for shadows to decide."""
+"""Share of the pairs of pixel and light that must be dark, and lie in a cast shadow, for shadows to decide."""
 LEAST_SHARE = 0.4
 """Share of the blocks that must agree for slopes to decide anything."""
 TURN_TOLERANCE_DEG = 10.0
@@ -232,15 +232,20 @@ def _map_findings(
     lights: LightField,
     names: Sequence[str],
 ) -> list[Finding]:
-    """What is wrong with the maps; by shadows where there are any."""
-    if shadows is not None and shadows.dark_share >= LEAST_SHADED:
+    """What is wrong with the maps; by shadows where there are any.
+
+    On an even slope the light grazes without an edge, so shadows do not fit; slopes that agree acquit it.
+    """
+    if shadows is not None and min(shadows.dark_share, shadows.share) >= LEAST_SHADED:
         if shadows.upside_down > max(shadows.best, LEAST_CORRELATION) + MARGIN:
             return [_inverted()]
         turned = shadows.mirrored or abs(shadows.angle_deg) > TURN_TOLERANCE_DEG
         if turned and shadows.best > max(shadows.as_is + MARGIN, LEAST_CORRELATION):
             return [_wrong_map(shadows.mirrored, shadows.angle_deg)]
         displaced = _displaced_lights(shadows, lights)
-        if len(displaced) <= MOST_SHARE * len(names) and shadows.as_is < LEAST_CORRELATION:
+        few = len(displaced) <= MOST_SHARE * len(names)
+        alike = slopes is not None and slopes.share_as_is >= LEAST_SHARE
+        if few and not alike and shadows.as_is < LEAST_CORRELATION:
             return [_views_disagree()]
         return _displaced_findings(displaced, names)
     if slopes is None or slopes.share < max(LEAST_SHARE, slopes.share_as_is + MARGIN):

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from pathlib import Path
 
+from reliefscope.errors import InvalidInputError
 from reliefscope.jobs import Job
 from reliefscope.microscope.live import Microscope
 from reliefscope.microscope.reconstructing import reconstruct_run
@@ -12,9 +13,21 @@ from reliefscope.reconstruction.result import Reconstruction, load_result
 
 
 def run_of(url: str, place: Path, sample: str, job: Job) -> StoredRun:
-    """The run in ``place``, or a new one of the instrument at ``url``."""
+    """The run in ``place``, or a new one of the instrument at ``url``.
+
+    Raises
+    ------
+    InvalidInputError
+        The run in ``place`` is of another instrument, sample, seed or size.
+    """
     if place.exists():
-        return open_run(place)
+        run = open_run(place)
+        if run.data.spec.notes != url:
+            raise InvalidInputError(
+                f"{place} was taken with {run.data.spec.notes or 'another program'}, not with {url}.",
+                hint="Give another folder with `--out`, or the options of the runs that are there.",
+            )
+        return run
     with Microscope.open(url) as microscope:
         return microscope.acquire(out=place, job=job, sample=sample, notes=url)
 
