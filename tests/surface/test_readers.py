@@ -10,7 +10,8 @@ from tests.support import shared_data
 
 from reliefscope.errors import InvalidInputError
 from reliefscope.export.fiducial import write_fiducial_truth
-from reliefscope.surface import FORMATS, read_height_map
+from reliefscope.surface import read_height_map
+from reliefscope.surface.readers import FORMATS
 from reliefscope.targets import Fiducial3D
 
 HEIGHTS_UM = np.arange(20.0).reshape(4, 5) ** 1.5 - 10

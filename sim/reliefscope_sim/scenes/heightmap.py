@@ -7,7 +7,8 @@ import math
 import numpy as np
 
 from reliefscope.errors import InvalidInputError
-from reliefscope.surface import FORMATS, read_height_map
+from reliefscope.surface import read_height_map
+from reliefscope.surface.readers import FORMATS
 from reliefscope_sim.scenes.options import Options
 from reliefscope_sim.scenes.scene import Scene
 from reliefscope_sim.scenes.textures import albedo_map
