@@ -77,7 +77,7 @@ TOLERANCE_UM = 0.006
 times larger (bench_fusion)."""
 ROUND_ITERATIONS = 5
 """Iterations of the solver in a round that another follows: its weights are provisional anyway."""
-MAXIMUM_ITERATIONS = 12
+MAXIMUM_ITERATIONS = 16
 """Iterations of the last round.  More bring single bands between cut springs nearer to the minimum, by more than the
 tolerance, but change no mean error by 0.1 um (docs/explanation/fusion.md)."""
 LEAST_SIDE = 32
