@@ -76,13 +76,13 @@ def measure(shape: tuple[int, int], repeats: int, *, peer: bool) -> dict[str, fl
     """Seconds of each form on one size, and the two ratios to the copy; with those of numpy for ``peer``."""
     rng = np.random.default_rng(1)
     frames = rng.random((16, *shape), dtype=np.float32)
-    usable = rng.random(frames.shape, dtype=np.float32) > 0.2
+    lit = rng.random(frames.shape, dtype=np.float32) > 0.2
     height = rng.random(shape, dtype=np.float32) * 5.0
     field, target = lights(), np.empty_like(frames)
     plain, robust = PsResult.empty(shape), PsResult.empty(shape, robust=True)
 
     def run_robust() -> None:
-        solve(frames, field, PIXEL_UM, usable=usable, out=robust)
+        solve(frames, field, PIXEL_UM, lit=lit, out=robust)
 
     def run_plain() -> None:
         solve_lambert(frames, field.directions, out=plain)

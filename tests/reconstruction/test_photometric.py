@@ -162,13 +162,49 @@ def test_masked_lights_do_not_count() -> None:
     normals = random_normals(rng, (6, 9), 0.25)
     lights = ring_lights()
     clean = np.einsum("lc,hwc->lhw", lights, normals).astype(np.float32)
-    usable = rng.random(clean.shape) > 0.5
-    usable[:4] = True
-    images = np.where(usable, clean, np.float32(0.7) * clean)
-    masked = solve(images, LightField.distant(lights), 1.0, usable=usable)
+    lit = rng.random(clean.shape) > 0.5
+    lit[:4] = True
+    images = np.where(lit, clean, np.float32(0.0))
+    masked = solve(images, LightField.distant(lights), 1.0, lit=lit)
     assert angles_deg(masked.normals, normals).max() < 0.01
     assert masked.lights_used is not None
-    np.testing.assert_allclose(masked.lights_used, usable.sum(axis=0), atol=0.05)
+    np.testing.assert_allclose(masked.lights_used, lit.sum(axis=0), atol=0.05)
+
+
+def shaded_images(normals: np.ndarray, lights: np.ndarray, passed: float) -> np.ndarray:
+    """Lambert's law where a surface faces the light, and what others pass on, ``passed * E_z``, everywhere."""
+    direct = np.maximum(np.einsum("lc,hwc->lhw", lights, normals), 0.0)
+    return (direct + passed * lights[:, 2, None, None]).astype(np.float32)
+
+
+def test_light_from_other_surfaces_is_taken_off_where_shadows_tell_it() -> None:
+    """Steep faces, of which half of the lights are hidden: exact with the shadows, too upright without."""
+    lights = ring_lights()
+    rng = np.random.default_rng(13)
+    azimuth = rng.uniform(0, 2 * np.pi, (9, 200))
+    slant = np.radians(rng.uniform(55.0, 70.0, azimuth.shape))
+    flat = np.sin(slant)
+    normals = np.stack([flat * np.cos(azimuth), flat * np.sin(azimuth), np.cos(slant)], axis=-1)
+    images = shaded_images(normals, lights, 0.2)
+    lit = np.einsum("lc,hwc->lhw", lights, normals) > 0.0
+    assert 5 < lit.sum(axis=0).min() <= lit.sum(axis=0).max() < 14
+    told = solve(images, LightField.distant(lights), 1.0, lit=lit)
+    assert angles_deg(told.normals, normals).max() < 0.05
+    np.testing.assert_allclose(told.albedo, 1.0, rtol=1e-3)
+    uncorrected = solve(
+        np.where(lit, images, np.float32(0)), LightField.distant(lights), 1.0, lit=lit
+    )
+    assert np.median(angles_deg(uncorrected.normals, normals)) > 7.0
+
+
+def test_a_shadow_in_the_wrong_place_is_not_taken_for_light_from_other_surfaces() -> None:
+    lights = ring_lights()
+    normals = random_normals(np.random.default_rng(14), (5, 40), 0.2)
+    images = shaded_images(normals, lights, 0.0)
+    lit = np.ones(images.shape, bool)
+    lit[::3] = False  # in the light all the same
+    result = solve(images, LightField.distant(lights), 1.0, lit=lit)
+    assert angles_deg(result.normals, normals).max() < 0.05
 
 
 def test_powers_of_the_lights_are_divided_out() -> None:
@@ -291,9 +327,9 @@ def test_lights_that_cannot_work_are_refused_with_the_number() -> None:
         solve_lambert(np.zeros((5, 4, 4), np.float32), lights)
     with pytest.raises(InvalidInputError, match="there are 2"):
         solve(np.zeros((2, 4, 4), np.float32), LightField.distant(lights[:2]), 1.0)
-    usable = np.ones((16, 4, 5), bool)
+    lit = np.ones((16, 4, 5), bool)
     with pytest.raises(InvalidInputError, match="mask"):
-        solve(np.zeros((16, 4, 4), np.float32), LightField.distant(lights), 1.0, usable=usable)
+        solve(np.zeros((16, 4, 4), np.float32), LightField.distant(lights), 1.0, lit=lit)
 
 
 def test_the_number_of_threads_changes_nothing() -> None:

@@ -173,8 +173,8 @@ def _solved(
         with clock.timed("shadows"):
             lit = shadows.lit(height_um, lights, pixel_um, job=clock.job)
     with clock.timed("photometric stereo"), clock.job.stage("photometric stereo", 1):
-        usable = lit if inputs.settings.joint.shadows else None
-        solved = photometric.solve(images, lights, pixel_um, usable=usable)
+        known = lit if inputs.settings.joint.shadows else None
+        solved = photometric.solve(images, lights, pixel_um, lit=known)
         if inputs.mask is not None:
             solved.quality[~inputs.mask] = 0.0
     return _Shading(images, lit, solved)

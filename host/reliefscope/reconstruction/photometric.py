@@ -157,7 +157,7 @@ def solve(
     lights: LightField,
     pixel_um: float,
     *,
-    usable: BoolImage | None = None,
+    lit: BoolImage | None = None,
     plane_um: float = 0.0,
     full_scale: float | None = None,
     maximum_condition: float = MAXIMUM_CONDITION,
@@ -174,9 +174,10 @@ def solve(
         Where the light of each image came from; near or distant.
     pixel_um:
         Size of a pixel on the sample; the focal point lies in the middle of the image.
-    usable:
-        (L, H, W) mask: no cast shadow (:func:`reliefscope.reconstruction.shadows.lit`), not saturated.  Where fewer
-        than four lights are usable, all are used.
+    lit:
+        (L, H, W) mask, False in cast shadow (:func:`reliefscope.reconstruction.shadows.lit`).  What such pixels
+        still receive comes from other surfaces, and tells how much of it lit ones do.  Where fewer than four lights
+        arrive, all are used.  None: shadows are not known.
     plane_um:
         Height at which the lights' field is taken.
     full_scale:
@@ -193,7 +194,7 @@ def solve(
     """
     check_directions(lights.directions, maximum_condition)
     stack = _checked_stack(images, len(lights))
-    mask = np.ones(stack.shape, np.bool_) if usable is None else usable
+    mask = np.ones(stack.shape, np.bool_) if lit is None else lit
     if mask.shape != stack.shape:
         raise InvalidInputError(
             f"A mask of shape {mask.shape} does not belong to images of shape {stack.shape}.",
@@ -220,7 +221,7 @@ def solve(
         knots,
         np.ascontiguousarray(mask),
         DROPPED_SHARE,
-        DROPPED_DARK_SHARE if usable is None else 0.0,
+        DROPPED_DARK_SHARE if lit is None else 0.0,
         KEPT_AT_LEAST,
         REWEIGHTINGS,
         TOLERATED_RESIDUAL,

@@ -5,6 +5,10 @@ brightest are set aside, because highlights and light from neighbouring surfaces
 iteratively reweighted least squares (Cauchy's weights, against shadows that no mask knows); at last those set
 aside come back where they agree after all (Tukey's biweight).
 
+**Light from other surfaces.**  What surrounds a point is lit about as the level ground is, so what it passes on under
+a light is ``c E_z`` of the light's irradiance vector E.  A lit point shows ``E . g + c E_z = E . (g + c z)``: its
+normal comes out too upright, and no lit light tells by how much.  Those in shadow do: they show ``c E_z`` alone.
+
 Built like :mod:`reliefscope.reconstruction.ps_kernels`: blocks in cache, vectors across pixels.
 """
 
@@ -27,6 +31,11 @@ _CAUCHY = np.float32(1.5)
 _TUKEY = np.float32(6.0)
 """Residual, over its standard deviation, from which a light that was set aside stays aside."""
 _READMISSIONS = 2
+_PASSED_ON = (np.float32(0.4), np.float32(0.6))
+"""Light from other surfaces over the albedo up to which it is taken off, and from which on it is not: so much is
+rather direct light under a shadow that the height has in the wrong place."""
+_LEFT_UPRIGHT = np.float32(0.1)
+"""Share of the upright part of a solution that is left at least."""
 _MEAN_TO_DEVIATION = np.float32(1.25)
 """Standard deviation over mean absolute deviation of the normal distribution."""
 
@@ -188,6 +197,23 @@ def _spread(sums: FloatImage, g: FloatImage, count: int, out: FloatImage) -> Non
         out[i] = np.sqrt(max(across * sums[10, i], np.float32(0.0)))
 
 
+@njit(cache=True, error_model="numpy", fastmath=FLAGS)
+def _take_off(shade: FloatImage, count: int, g: FloatImage) -> None:
+    """Take the light from other surfaces off the solution ``g`` (3, B).
+
+    ``shade`` (2, B): intensities under the lights in shadow, and the upright parts of their irradiance vectors.
+    """
+    zero = np.float32(0.0)
+    one = np.float32(1.0)
+    first, last = _PASSED_ON
+    slope = one / (last - first)
+    for i in range(count):
+        passed = max(shade[0, i], zero) / max(shade[1, i], np.float32(1e-9))
+        norm = np.sqrt(g[0, i] * g[0, i] + g[1, i] * g[1, i] + g[2, i] * g[2, i])
+        trust = min(max((last - passed / norm) * slope, zero), one)
+        g[2, i] = max(g[2, i] - trust * passed, _LEFT_UPRIGHT * g[2, i])
+
+
 @njit(cache=True, parallel=True, error_model="numpy", fastmath=FLAGS)
 def solve_robust(
     images: FloatImage,
@@ -208,9 +234,9 @@ def solve_robust(
     """Normal, albedo and what they rest on, for every pixel.
 
     ``images`` (L, H, W) times ``gains`` (L,) are the intensities, NaN is missing; ``fields`` (L, KR, KC, 3) the
-    irradiance vectors at the knots; ``lit`` (L, H, W) the mask.  ``bright``, ``dim`` and ``at_least``: the shares of
-    the brightest and darkest that are set aside, and how many are kept at least; ``rounds`` of reweighting;
-    ``floor``: residual, as a fraction of the albedo, that is always tolerated.
+    irradiance vectors at the knots; ``lit`` (L, H, W) the mask, False in cast shadow.  ``bright``, ``dim`` and
+    ``at_least``: the shares of the brightest and darkest that are set aside, and how many are kept at least;
+    ``rounds`` of reweighting; ``floor``: residual, as a fraction of the albedo, that is always tolerated.
 
     Outputs ``normals`` (H, W, 3), the rest (H, W): ``residuals`` root mean square over the weights, ``misfit``
     standard deviation of the residuals over the albedo, more where the lights that count are badly spread,
@@ -233,12 +259,14 @@ def solve_robust(
         counts = np.empty(BLOCK, np.float32)
         total = np.empty(BLOCK, np.float32)
         scale = np.empty(BLOCK, np.float32)
+        shade = np.empty((2, BLOCK), np.float32)
         for row in range(strip * _STRIP, min((strip + 1) * _STRIP, height)):
             for block in range((width + BLOCK - 1) // BLOCK):
                 first = block * BLOCK
                 count = min(BLOCK, width - first)
                 coefficients(fields, row, block, e0, de)
                 counts[:] = zero
+                shade[:] = zero
                 for light in range(lights):
                     line = images[light, row, first : first + count]
                     mask = lit[light, row, first : first + count]
@@ -250,12 +278,17 @@ def solve_robust(
                         known[light, i] = there
                         usable[light, i] = there if mask[i] else zero
                         counts[i] += usable[light, i]
+                        hidden = there - usable[light, i]
+                        shade[0, i] += hidden * values[light, i]
+                        shade[1, i] += hidden * (e0[light, 2] + np.float32(i) * de[light, 2])
                 total[:] = zero
                 for light in range(lights):
                     for i in range(count):
                         few = counts[i] < np.float32(FEWEST_LIGHTS)
                         usable[light, i] = known[light, i] if few else usable[light, i]
                         total[i] += usable[light, i]
+                for i in range(count):
+                    shade[0, i] = zero if counts[i] < np.float32(FEWEST_LIGHTS) else shade[0, i]
                 _choose(values, usable, apart, total, bright, dim, at_least, count, kept)
                 weights[:] = kept
                 _solve(values, weights, e0, de, count, sums, g)
@@ -299,6 +332,7 @@ def solve_robust(
                     solved = counts[i] > np.float32(2.5)
                     g[2, i] = g[2, i] if solved else np.float32(np.nan)
                     total[i] = np.sqrt(total[i] / counts[i])
+                _take_off(shade, count, g)
                 store(g, total, row, first, count, normals, albedo, residuals)
 
 
