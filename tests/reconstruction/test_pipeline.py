@@ -134,7 +134,7 @@ def test_the_relief_is_recovered(
     assert np.abs(slope_x - gx)[INNER].mean() < 0.02
     assert np.abs(slope_y - gy)[INNER].mean() < 0.02
     named = {"read frames", "match", "register", "photometric stereo", "self-check", "fuse"}
-    named |= {"visibility", "shadows"} if settings.method == "joint" else {"smooth"}
+    named |= {"visibility", "shadows"} if settings.method == "joint" else {"smooth", "saturation"}
     assert stages >= named, "progress and the table of times use the same names"
     assert set(result.timings_s) == named
     assert result.peak_memory_mb > 10
@@ -192,6 +192,28 @@ def test_hints_offer_only_what_the_run_allows(frames: ArrayFrames) -> None:
     assert "use: stereo" in hint(2, 2)
     assert "use: stereo" not in hint(1, 4, unknown=True)
     assert "use: stereo" in hint(2, 4, unknown=True)
+
+
+@BOTH
+@pytest.mark.parametrize("count", [(6, 6), (1, 6), (6, 1)], ids=["both", "one view", "one light"])
+def test_saturated_points_are_told(
+    frames: ArrayFrames, settings: Settings, count: tuple[int, int]
+) -> None:
+    views, lights = count
+    images = frames.images[:views, :lights].copy()
+    images[0, 0, 50:53, 60:63] = frames.full_scale
+    part = replace(
+        frames,
+        images=images,
+        views=frames.views[:views],
+        lights=frames.lights if lights > 1 else None,
+        powers=np.ones(lights),
+    )
+    result = reconstruct(part, settings)
+    places = np.argwhere(result.saturated)
+    assert 9 <= len(places) <= 30
+    assert (np.abs(places - (51, 61)) <= 6).all(), "where that view sees it, moved by its parallax"
+    assert result.summary()["saturated"] == pytest.approx(len(places) / np.prod(SHAPE), abs=1e-4)
 
 
 @BOTH

@@ -60,3 +60,5 @@ def test_a_missing_pixel_is_missing_under_its_light_only(
     mean = average.mean(np.ones(2))
     assert mean[0, 5, 6] == pytest.approx((frames[0, 0, 5, 6] + frames[1, 0, 5, 6]) / 2)
     assert mean[1, 5, 6] == frames[1, 1, 5, 6]
+    # interpolation reaches one pixel down and to the right, whatever its weight
+    assert np.argwhere(average.incomplete).tolist() == [[4, 5], [4, 6], [5, 5], [5, 6]]

@@ -77,6 +77,20 @@ def test_only_what_is_there_is_drawn(example: Reconstruction, tmp_path: Path) ->
     write_pictures(nothing, tmp_path)
 
 
+def test_saturated_pixels_are_red(example: Reconstruction, tmp_path: Path) -> None:
+    assert example.micrograph is not None
+    saturated = np.zeros((60, 80), bool)
+    clean = write_pictures(replace(example, saturated=saturated), tmp_path / "clean")
+    assert "saturated" not in {path.stem for path in clean}
+    saturated[:, 40:] = True
+    written = write_pictures(replace(example, saturated=saturated), tmp_path / "burnt")
+    image = cv2.imread(str(next(path for path in written if path.stem == "saturated")))
+    assert image is not None
+    row = image.shape[0] // 2
+    assert (image[row, 145] == (40, 39, 214)).all()  # blue first
+    assert np.ptp(image[row, 100]) == 0
+
+
 def test_what_the_mask_leaves_out_is_blank(example: Reconstruction, tmp_path: Path) -> None:
     valid = np.zeros((60, 80), bool)
     valid[:, 40:] = True

@@ -178,6 +178,7 @@ def readable_result(
             lambda part: f"{share(part)} (quality {photometric_quality:g} or better)",
         ),
         "photometric_quality_median": ("median quality of normals", "{:.2f} (0 to 1)".format),
+        "saturated": ("saturated in a frame", share),
         "smoothing_parameter": ("parameter of the smoothing", "{:.3g}".format),
         "full_scale": ("full scale of photometric stereo", "{:.3g} of the camera range".format),
         "solver_iterations": ("iterations of the solver", "{:.0f}".format),

@@ -245,20 +245,26 @@ class Run:
         self.record(kind, view, light)
         return self._store.read((kind, view, light))
 
-    def linear(self, view: int, light: int) -> FloatImage:
-        """Linear luminance (H, W) float32 of a view under a light, full scale 1.
+    def linear(self, view: int, light: int, out: FloatImage | None = None) -> FloatImage:
+        """Linear luminance (H, W) float32 of a view under a light, full scale 1; in ``out`` where given.
 
         The dark signal is subtracted (the averaged dark frame, else the black level), the leakage of this
         light where it was taken, and the result is brought to the plan's exposure and to the mean number of
         open pixels, so that all views have equal gain.  Not divided by the light's power.
         """
-        return self.luminance("view", view, light)
+        return self.luminance("view", view, light, out)
 
-    def luminance(self, kind: FrameKind, view: int | None, light: int | None) -> FloatImage:
+    def luminance(
+        self,
+        kind: FrameKind,
+        view: int | None,
+        light: int | None,
+        out: FloatImage | None = None,
+    ) -> FloatImage:
         """Linear luminance (H, W) of any image but the dark one; see :meth:`linear`."""
         entry = self.record(kind, view, light)
         scale = self._radiometry.scale(entry)
-        image = luminance(self._store.read(entry.key), self.spec.frame.sensor, scale)
+        image = luminance(self._store.read(entry.key), self.spec.frame.sensor, scale, out)
         gain = self._radiometry.gain(entry)
         offset = self._offset(kind, light)
         if offset is None:
@@ -296,16 +302,21 @@ class Run:
     def stack(
         self, views: Iterable[int] | None = None, lights: Iterable[int] | None = None
     ) -> Iterator[tuple[int, int, FloatImage]]:
-        """(view, light, linear luminance) of every pair, lights fastest; read ahead by two threads."""
+        """(view, light, linear luminance) of every pair, lights fastest; read ahead by two threads.
+
+        An image is overwritten when the next one is asked for: copy what is to be kept.
+        """
         chosen_views = range(len(self.view_names)) if views is None else views
         chosen_lights = list(range(len(self.light_names)) if lights is None else lights)
         pairs = iter([(view, light) for view in chosen_views for light in chosen_lights])
+        # memory that is used again costs nothing; memory fresh from the system costs more than reading
+        free = [np.empty(self.shape, np.float32) for _ in range(PREFETCH_FRAMES)]
         with ThreadPoolExecutor(PREFETCH_THREADS, thread_name_prefix="read-run") as pool:
             ahead: deque[tuple[int, int, Future[FloatImage]]] = deque()
 
             def request_next() -> None:
                 for view, light in pairs:
-                    ahead.append((view, light, pool.submit(self.linear, view, light)))
+                    ahead.append((view, light, pool.submit(self.linear, view, light, free.pop())))
                     return
 
             for _ in range(PREFETCH_FRAMES):
@@ -314,8 +325,9 @@ class Run:
                 while ahead:
                     view, light, image = ahead.popleft()
                     ready = image.result()
-                    request_next()
                     yield view, light, ready
+                    free.append(ready)
+                    request_next()
             finally:
                 for _, _, image in ahead:
                     image.cancel()

@@ -95,7 +95,6 @@ def reconstruct_run(
     """
     from reliefscope.reconstruction.pipeline import reconstruct
     from reliefscope.reconstruction.result import result_folder, save_result
-    from reliefscope.report.pictures import write_pictures
 
     stored = as_stored(run)
     started = time.perf_counter()
@@ -113,6 +112,8 @@ def reconstruct_run(
         stages = dict(reconstruction.timings_s)
         drawn: tuple[Path, ...] = ()
         if pictures:
+            from reliefscope.report.pictures import write_pictures
+
             begun = time.perf_counter()
             drawn = write_pictures(reconstruction, folder, job)
             stages[PICTURES_STAGE] = time.perf_counter() - begun

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from dataclasses import dataclass
 
+import cv2
 import numpy as np
 from numpy.typing import NDArray
 
@@ -60,12 +61,13 @@ def read_channel_means(inputs: Inputs, groups: list[list[int]], clock: StageCloc
         for view, light, image in frames.stack():
             means[channel[light], view] += image
             stage.advance()
-        for c, group in enumerate(groups):
-            means[c] /= np.float32(len(group))
-        shares = np.array([len(group) for group in groups], np.float32) / np.float32(lights)
-        levels = shares @ means.mean(axis=(2, 3), dtype=np.float64)
+        sums = np.array([[cv2.mean(image)[0] for image in images] for images in means])
+        levels = sums.sum(axis=0) / lights
         for view, level in enumerate(levels):
             refuse_undefined(float(level), f"view {frames.view_names[view]}")
         gains = levels.mean() / levels
-        means *= gains.astype(np.float32)[:, None, None]
+        for images, group in zip(means, groups, strict=True):
+            for image, gain in zip(images, gains, strict=True):
+                image *= np.float32(gain / len(group))
+    shares = np.array([len(group) for group in groups], np.float32) / np.float32(lights)
     return ChannelMeans(means, shares, gains)

@@ -8,6 +8,7 @@ from __future__ import annotations
 
 import math
 from dataclasses import dataclass
+from functools import cached_property
 
 import numpy as np
 from numpy.typing import NDArray
@@ -103,16 +104,25 @@ class _Sample:
     light: NDArray[np.float64]
     used: NDArray[np.bool_]
 
+    @cached_property
+    def _normal_equations(self) -> tuple[NDArray[np.float64], NDArray[np.float64]]:
+        """Matrices (P, 3, 3) and right sides (P, 3) of least squares over the used lights."""
+        light = self.light[self.used]
+        matrix = np.einsum("lpi,lpj->pij", light, light)
+        right = np.einsum("lpi,lp->pi", light, self.intensities[self.used])
+        return matrix, right
+
     def solved(self, without: int | None = None) -> NDArray[np.float64]:
         """Albedo times normal (P, 3) by least squares over the used lights but one."""
-        chosen = self.used.copy()
-        if without is not None:
-            chosen[without] = False
-        light = self.light[chosen]
-        matrix = np.einsum("lpi,lpj->pij", light, light)
-        matrix += 1e-9 * np.trace(matrix, axis1=1, axis2=2)[:, None, None] * np.eye(3)
-        right = np.einsum("lpi,lp->pi", light, self.intensities[chosen])
-        found: NDArray[np.float64] = np.linalg.solve(matrix, right[..., None])[..., 0]
+        matrix, right = self._normal_equations
+        if without is not None and self.used[without]:
+            light = self.light[without]
+            matrix = matrix - light[:, :, None] * light[:, None, :]
+            right = right - light * self.intensities[without, :, None]
+        ridge = 1e-9 * np.trace(matrix, axis1=1, axis2=2)
+        found: NDArray[np.float64] = np.linalg.solve(
+            matrix + ridge[:, None, None] * np.eye(3), right[..., None]
+        )[..., 0]
         return found
 
     def lambertian(self) -> _Sample:

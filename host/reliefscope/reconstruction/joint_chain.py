@@ -19,6 +19,7 @@ from __future__ import annotations
 from dataclasses import dataclass
 
 import numpy as np
+from numpy.typing import NDArray
 
 from reliefscope.errors import InvalidInputError
 from reliefscope.reconstruction import (
@@ -28,17 +29,17 @@ from reliefscope.reconstruction import (
     photometric,
     registration,
     shadows,
-    smoothing,
 )
 from reliefscope.reconstruction.channel_means import ChannelMeans, read_channel_means
 from reliefscope.reconstruction.filling import fill_heights
 from reliefscope.reconstruction.inputs import Inputs, refuse_undefined
 from reliefscope.reconstruction.mvs import MvsResult
 from reliefscope.reconstruction.result import Reconstruction
-from reliefscope.reconstruction.saturation import blank_saturated
+from reliefscope.reconstruction.saturation import blank_saturated, saturated_points
 from reliefscope.reconstruction.self_check import SelfCheck, check_run
 from reliefscope.reconstruction.stage_clock import StageClock, peak_memory_mb
 from reliefscope.reconstruction.view_average import ViewAverage
+from reliefscope.reconstruction.view_frames import unsaturated_views
 from reliefscope.units import BoolImage, FloatImage
 
 
@@ -68,14 +69,16 @@ def reconstruct_jointly(
     stereo: _Stereo | None = None
     shading: _Shading | None = None
     check: SelfCheck | None = None
+    saturated: BoolImage
     if inputs.stereo:
         means = _read(inputs, clock)
         if micrograph is None:
             micrograph = means.micrograph(inputs.nearest)
         stereo = _matched(inputs, means.images, clock)
         if inputs.photometric:
-            images = _registered(inputs, means, stereo.filled_um, clock)
-            del means
+            gains = means.gains
+            del means  # its images are the largest array of all
+            images, saturated = _registered(inputs, gains, stereo.filled_um, clock)
             shading = _solved(inputs, images, stereo.filled_um, clock)
             check = check_run(
                 inputs,
@@ -86,12 +89,14 @@ def reconstruct_jointly(
                 shading.images,
                 shading.lit,
             )
+        else:
+            saturated = saturated_points(inputs, stereo.filled_um, clock)
     else:
         images = _nearest_view(inputs, clock)
         if micrograph is None:
             micrograph = images.mean(axis=0)
-        images *= inputs.relative_powers.astype(np.float32)[:, None, None]
         blank_saturated(images, inputs.frames, inputs.nearest)
+        saturated = np.isnan(images.sum(axis=0))
         images /= inputs.relative_powers.astype(np.float32)[:, None, None]
         shading = _solved(inputs, images, None, clock)
     if micrograph is None:
@@ -117,6 +122,7 @@ def reconstruct_jointly(
         lights_used=solved.lights_used if solved else None,
         residual=solved.residual if solved else None,
         micrograph=micrograph,
+        saturated=saturated,
         valid=inputs.mask,
         self_check=check,
         figures=figures,
@@ -157,6 +163,9 @@ def _matched(inputs: Inputs, channels: FloatImage, clock: StageClock) -> _Stereo
             sigma_um = np.where(accepted, matched.sigma_um, np.float32(np.inf))
             filled_um = fill_heights(matched.height_um, sigma_um, job=clock.job)
             return _Stereo(matched, accepted, filled_um)
+    # imported here because SciPy, which only a single light needs, takes longer to import than some stages to run
+    from reliefscope.reconstruction import smoothing
+
     with clock.timed("smooth"):
         trust = np.where(accepted, matched.quality, np.float32(0))
         known = np.where(accepted, matched.height_um, np.float32(np.nan))
@@ -181,22 +190,22 @@ def _solved(
 
 
 def _nearest_view(inputs: Inputs, clock: StageClock) -> FloatImage:
-    """Frames (L, H, W) of the view nearest to s = 0 as they are, of lights of equal power."""
+    """Frames (L, H, W) of the view nearest to s = 0 as they are."""
     run, view = inputs.frames, inputs.nearest
     images = np.empty((inputs.light_count, *run.shape), np.float32)
     with clock.timed("read frames"), clock.job.stage("read frames", len(images)) as stage:
         for _, light, image in run.stack([view]):
             level = float(image.mean(dtype=np.float64))
             refuse_undefined(level, f"light {run.light_names[light]}")
-            np.divide(image, np.float32(inputs.relative_powers[light]), out=images[light])
+            images[light] = image
             stage.advance()
     return images
 
 
 def _registered(
-    inputs: Inputs, means: ChannelMeans, height_um: FloatImage, clock: StageClock
-) -> FloatImage:
-    """Mean over the views (L, H, W) in the view s = 0, of lights of equal power."""
+    inputs: Inputs, gains: NDArray[np.float64], height_um: FloatImage, clock: StageClock
+) -> tuple[FloatImage, BoolImage]:
+    """Mean over the views (L, H, W) in the view s = 0, of lights of equal power; points (H, W) saturated in a frame."""
     run = inputs.frames
     visible = None
     if inputs.settings.joint.occlusion:
@@ -210,21 +219,16 @@ def _registered(
             )
     average = ViewAverage(height_um, run.pixel_um, inputs.light_count, run.telecentricity_per_um)
     with clock.timed("register"), clock.job.stage("register", inputs.view_count) as stage:
-        frames = np.empty((inputs.light_count, *run.shape), np.float32)
-        for view, light, image in run.stack():
-            frames[light] = image
-            if light < inputs.light_count - 1:
-                continue
+        for view, frames in unsaturated_views(inputs):
             sx, sy = inputs.slopes[view]
-            blank_saturated(frames, run, view)
             average.add(
                 frames,
                 (float(sx), float(sy)),
-                float(means.gains[view]),
+                float(gains[view]),
                 None if visible is None else visible[view],
             )
             stage.advance()
-        return average.mean(1.0 / inputs.relative_powers)
+        return average.mean(1.0 / inputs.relative_powers), average.incomplete
 
 
 def _surface(

@@ -21,6 +21,7 @@ from reliefscope.reconstruction import fusion, mvs, photometric, registration, s
 from reliefscope.reconstruction.channel_means import ChannelMeans, read_channel_means
 from reliefscope.reconstruction.inputs import Inputs, refuse_undefined
 from reliefscope.reconstruction.result import Reconstruction
+from reliefscope.reconstruction.saturation import saturated_points
 from reliefscope.reconstruction.self_check import SelfCheck, check_run
 from reliefscope.reconstruction.stage_clock import StageClock, peak_memory_mb
 from reliefscope.units import FloatImage
@@ -55,6 +56,7 @@ def reconstruct_by_paper(
             check = check_run(inputs, clock, stereo, smoothed, solved, images)
         del images
     del means
+    saturated = saturated_points(inputs, smoothed, clock)
     with clock.timed("fuse"):
         height, kind = _surface(inputs, stereo, smoothed, solved, clock, figures)
     if inputs.mask is not None:
@@ -72,6 +74,7 @@ def reconstruct_by_paper(
         photometric_quality=solved.quality if solved else None,
         residual=solved.residual if solved else None,
         micrograph=micrograph,
+        saturated=saturated,
         valid=inputs.mask,
         self_check=check,
         figures=figures,
@@ -130,7 +133,7 @@ def _registered(
     out = np.empty((inputs.light_count, *run.shape), np.float32)
     with clock.timed("register"), clock.job.stage("register", inputs.light_count) as stage:
         for light, power in enumerate(inputs.relative_powers):
-            frames = np.stack([image for _, _, image in run.stack(views, [light])])
+            frames = np.stack([image.copy() for _, _, image in run.stack(views, [light])])
             frames *= gains[views].astype(np.float32)[:, None, None]
             if height_um is not None:
                 frames = registration.to_reference(

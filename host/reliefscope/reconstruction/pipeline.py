@@ -8,8 +8,6 @@ from __future__ import annotations
 
 from reliefscope.jobs import Job, ensure_job
 from reliefscope.reconstruction.inputs import Frames, check_inputs
-from reliefscope.reconstruction.joint_chain import reconstruct_jointly
-from reliefscope.reconstruction.paper_chain import reconstruct_by_paper
 from reliefscope.reconstruction.result import Reconstruction
 from reliefscope.reconstruction.settings import Settings
 from reliefscope.reconstruction.stage_clock import StageClock
@@ -44,5 +42,9 @@ def reconstruct(
     """
     inputs = check_inputs(run, settings or Settings())
     clock = StageClock(ensure_job(job))
-    chain = reconstruct_jointly if inputs.settings.method == "joint" else reconstruct_by_paper
+    # the other method's packages would take longer to import than some of the stages run
+    if inputs.settings.method == "joint":
+        from reliefscope.reconstruction.joint_chain import reconstruct_jointly as chain
+    else:
+        from reliefscope.reconstruction.paper_chain import reconstruct_by_paper as chain
     return chain(inputs, clock, micrograph)

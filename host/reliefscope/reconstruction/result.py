@@ -64,6 +64,8 @@ class Reconstruction:
         Number of lights that the normal rests on: neither in shadow nor a highlight.
     micrograph:
         Linear luminance to look at: the centre view under all light where it was taken.
+    saturated:
+        Bool, where the sensor was at full scale under a light and in a view that sees the point.
     valid:
         (H, W) bool, pixels that the run's mask leaves; None: all.  Shares are of these.
     self_check:
@@ -90,6 +92,7 @@ class Reconstruction:
     photometric_quality: FloatImage | None = None
     residual: FloatImage | None = None
     micrograph: FloatImage | None = None
+    saturated: BoolImage | None = None
     valid: BoolImage | None = None
     self_check: SelfCheck | None = None
     figures: Mapping[str, float] = field(default_factory=dict)
@@ -129,6 +132,8 @@ class Reconstruction:
             accepted = self.photometric_quality >= self.settings.chosen.photometric_quality
             facts["photometric_accepted"] = self._share(accepted)
             facts["photometric_quality_median"] = self._median(self.photometric_quality)
+        if self.saturated is not None:
+            facts["saturated"] = self._share(self.saturated)
         facts.update({name: float(f"{value:.6g}") for name, value in self.figures.items()})
         if self.self_check is not None:
             facts["self_check"] = self.self_check.verdict

@@ -10,6 +10,7 @@ from __future__ import annotations
 
 import math
 from dataclasses import dataclass, replace
+from functools import cached_property
 
 import cv2
 import numpy as np
@@ -176,15 +177,15 @@ class _Scene:
 
     def score(self, scale: float = 1.0, mirrored: bool = False, angle_deg: float = 0.0) -> float:
         """Correlation, over lights and pixels, of the light that arrived with what shadows leave."""
-        cast = self._without_mean(self.lit(scale, mirrored, angle_deg))
-        seen = self._without_mean(self.arrived)
-        norm = math.sqrt(float((cast**2).sum()) * float((seen**2).sum()))
-        return float((cast * seen).sum()) / norm if norm > 0 else 0.0
+        cast = self._without_mean(self.lit(scale, mirrored, angle_deg)).ravel()
+        seen = self._seen.ravel()
+        norm = math.sqrt(float(cast @ cast) * float(seen @ seen))
+        return float(cast @ seen) / norm if norm > 0 else 0.0
 
     def cross_correlation(self) -> NDArray[np.float64]:
         """(L, L) correlation of the light that arrives from i with what the shadows of light j leave."""
         cast = self._without_mean(self.lit()).reshape(len(self.arrived), -1)
-        seen = self._without_mean(self.arrived).reshape(len(self.arrived), -1)
+        seen = self._seen.reshape(len(self.arrived), -1)
         norm = np.sqrt(np.outer((seen**2).sum(axis=1), (cast**2).sum(axis=1)))
         correlation: NDArray[np.float64] = (seen @ cast.T) / np.maximum(norm, 1e-12)
         return correlation
@@ -201,11 +202,22 @@ class _Scene:
         turned = angle + _peak(ANGLES_DEG, np.array(fine))
         return mirrored, float((turned + 180.0) % 360.0 - 180.0)
 
+    @cached_property
+    def _seen(self) -> FloatImage:
+        """Light that arrived (L, h, w), less its mean over the lights."""
+        return self._without_mean(self.arrived)
+
+    @cached_property
+    def _weight(self) -> FloatImage:
+        """1 where the light (L, h, w) is known, else 0."""
+        return self.known.astype(np.float32)
+
     def _without_mean(self, values: NDArray[np.float32] | BoolImage) -> FloatImage:
         """Values (L, h, w) less their mean over the lights for which the pixel is known; 0 elsewhere."""
-        count = np.maximum(self.known.sum(axis=0), 1).astype(np.float32)
-        mean = np.sum(values, axis=0, where=self.known, dtype=np.float32) / count
-        return np.where(self.known, values - mean, np.float32(0.0))
+        known = np.where(self.known, values, np.float32(0.0))
+        mean = known.sum(axis=0) / np.maximum(self._weight.sum(axis=0), np.float32(1.0))
+        known -= self._weight * mean
+        return known
 
 
 def _inside(height_um: FloatImage, direction: NDArray[np.float64], pixel_um: float) -> BoolImage:

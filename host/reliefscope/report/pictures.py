@@ -34,6 +34,7 @@ _WIDTH_PX = 1100
 _MOST_RELIEF = 0.5
 """Height range over image size above which the oblique view flattens heights to stay in the picture."""
 _BLANK = np.array([232, 234, 237], np.uint8)
+_SATURATED = np.array([214, 39, 40], np.uint8)
 
 
 def write_pictures(
@@ -42,7 +43,8 @@ def write_pictures(
     """Draw every picture that the reconstruction allows for and return the files, overview first.
 
     Files: ``overview``, ``fused`` (or ``stereo``, ``integrated``), ``oblique``, ``uncertainty``, ``height_map``,
-    ``quality_stereo``, ``normals``, ``slant``, ``quality_photometric``, ``micrograph``, all ``.png``.
+    ``quality_stereo``, ``normals``, ``slant``, ``quality_photometric``, ``micrograph``, ``saturated`` (where some
+    pixel is), all ``.png``.
 
     Raises
     ------
@@ -63,6 +65,8 @@ def write_pictures(
         ]
     if view.micrograph is not None:
         makers.append(("micrograph", view.micrograph_map))
+        if view.saturated is not None and view.saturated.any():
+            makers.append(("saturated", view.saturated_map))
     maps: dict[str, ColourMap] = {}
     written: list[Path] = []
     try:
@@ -111,6 +115,9 @@ class _Reduced:
         self._photometric_quality = _maybe(reconstruction.photometric_quality, self._reduce)
         self._albedo = _maybe(reconstruction.albedo, self._reduce)
         self.micrograph = _maybe(reconstruction.micrograph, self._reduce)
+        self.saturated: BoolImage | None = None
+        if reconstruction.saturated is not None:
+            self.saturated = self._reduce(reconstruction.saturated.astype(np.float32)) > 0.0
         if reconstruction.valid is not None:
             outside = self._reduce(reconstruction.valid.astype(np.float32)) < 0.5
             for image in (self.sigma, self.stereo, self._stereo_quality, self._photometric_quality):
@@ -204,11 +211,18 @@ class _Reduced:
 
     def micrograph_map(self) -> ColourMap:
         """Luminance with the tone curve of a screen."""
+        return ColourMap("Micrograph", self._micrograph())
+
+    def saturated_map(self) -> ColourMap:
+        """The micrograph, red where the sensor was at full scale in any of the frames."""
+        assert self.saturated is not None  # asked for only where there are some
+        rgb = self._micrograph()
+        rgb[self.saturated] = _SATURATED
+        return ColourMap("Saturated in a frame (red)", rgb)
+
+    def _micrograph(self) -> Rgb:
         assert self.micrograph is not None  # asked for only where there is one
-        return ColourMap(
-            "Micrograph",
-            np.repeat((255 * _toned(self.micrograph))[..., None], 3, -1).astype(np.uint8),
-        )
+        return np.repeat((255 * _toned(self.micrograph))[..., None], 3, -1).astype(np.uint8)
 
     def oblique(self) -> Rgb:
         """The surface seen at a tilt, in the grey of its albedo where it is known."""
