@@ -1,9 +1,9 @@
 """The address of a simulated instrument.
 
 ``sim://NAME?KEY=VALUE&...`` names a bench; device and camera with the same NAME share it.  NAME gives the
-profile where it is the name of one (``sim://benchtop``, ``sim://miniature``); other names need ``profile=`` or
-get the benchtop.  Keys: see :data:`KEYS`; what begins with ``scene.`` goes to the scene by the name behind the
-dot (``scene.tilt_deg=10``).
+profile where it is the name of one (``sim://benchtop``, ``sim://miniature``); other names get the benchtop or
+what ``profile=`` says, and names that look like a misspelt profile need ``profile=``.  Keys: see :data:`KEYS`;
+what begins with ``scene.`` goes to the scene by the name behind the dot (``scene.tilt_deg=10``).
 """
 
 from __future__ import annotations
@@ -31,6 +31,8 @@ SCHEME = "sim"
 DEFAULT_PROFILE = "benchtop"
 STN_CONTRAST = 10.0
 """Typical of positive STN glass (variant E); film-compensated glass (S) reaches 15."""
+ALIKE = 0.75
+"""Share of letters in common from which a name is taken for a misspelt profile's."""
 STAGE_RANGE_UM = (-1000.0, 1000.0)
 KEYS = {
     "scene": "what lies under the instrument (default: fiducial)",
@@ -146,6 +148,8 @@ class SimUrl:
             if key.startswith("scene.")
         }
         scene_options |= {key: options[key] for key in _SCENE_KEYS if key in options}
+        if recorded is None and "profile" not in given:
+            _refuse_misspelt(name)
         default_profile = identity if identity in builtin_profiles() else DEFAULT_PROFILE
         glass = _choice("glass", options, ("E", "S")) if "glass" in options else None
         as_built = _whole("as_built", options["as_built"]) if "as_built" in options else None
@@ -292,6 +296,19 @@ def _unknown_key(key: str) -> InvalidInputError:
         f"A simulated instrument has no option `{key}`.",
         hint=f"{advice}Known options: {', '.join(KEYS)}, and scene.NAME for the scene.",
     )
+
+
+def _refuse_misspelt(name: str) -> None:
+    """Refuse a name that is nearly that of a profile: it would silently get another instrument than was meant."""
+    known = builtin_profiles()
+    if any(name.startswith(profile) for profile in known):
+        return
+    for nearest in difflib.get_close_matches(name.lower(), known, n=1, cutoff=ALIKE):
+        raise InvalidInputError(
+            f"There is no simulated instrument `{name}`; there are {' and '.join(known)}.",
+            hint=f"Did you mean `{SCHEME}://{nearest}`? A bench of your own may have any other name; "
+            f"this one, too, with its profile: `{SCHEME}://{name}?profile={nearest}`.",
+        )
 
 
 def _choice(key: str, options: dict[str, str], known: list[str] | tuple[str, ...]) -> str:

@@ -10,7 +10,7 @@ import pytest
 from reliefscope import cli
 from reliefscope.errors import InvalidInputError, OutputExistsError
 from reliefscope.microscope import StoredRun, evaluate_run, open_run, reconstruct_run
-from reliefscope.microscope.demonstration import demo_url
+from reliefscope.microscope.demonstration import demo, demo_url
 from reliefscope.models.calibration import Calibration
 from reliefscope.models.instrument import load_profile
 from reliefscope.targets import Fiducial3D
@@ -82,6 +82,12 @@ def test_second_result_beside_the_first(run: StoredRun, tmp_path: Path) -> None:
     assert {row["method"] for row in run.evaluate().table} == {"joint", "mine"}
     with pytest.raises(InvalidInputError, match="together"):
         run.reconstruct(method="paper", settings=settings)
+
+
+def test_a_method_beside_itself_is_refused(tmp_path: Path) -> None:
+    with pytest.raises(InvalidInputError, match="beside itself"):
+        demo(tmp_path / "run", method="joint", beside="joint")
+    assert not list(tmp_path.iterdir())
 
 
 def test_another_calibration_scales_the_heights(run: StoredRun, tmp_path: Path) -> None:

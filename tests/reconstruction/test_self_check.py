@@ -101,6 +101,12 @@ def test_the_turn_of_the_led_map_is_measured(run: Run) -> None:
     assert "counter-clockwise" in finding.sentence
 
 
+def test_an_even_slope_is_no_fault(tmp_path: Path) -> None:
+    """It turns away from some of the lights, which is not a shadow that heights should have cast."""
+    slope = take(tmp_path, "scene=plane&scene.tilt_deg=35&scene.texture=0&seed=2")
+    assert check(slope).findings == ()
+
+
 @pytest.mark.parametrize(("factor", "word"), [(1.25, "high"), (0.8, "low")])
 def test_a_wrong_scale_of_z_is_measured(run: Run, factor: float, word: str) -> None:
     """Slopes taken for smaller than they are make heights too great, by as much."""
@@ -144,11 +150,12 @@ def test_a_wrong_sign_and_wrong_views_are_told_apart(run: Run) -> None:
         "scene=fiducial&finish=half",
         "scene=fiducial&finish=metallic",
         "scene=flat",
+        "scene=plane&scene.tilt_deg=35&scene.texture=0.2",
         "scene=hemisphere&scene.texture=0.4&scene.radius_um=90&scene.base_um=-40",
         "scene=regolith",
         "scene=regolith&simulant=jsc1a",
     ],
-    ids=["half", "metallic", "flat", "hemisphere", "mars1", "jsc1a"],
+    ids=["half", "metallic", "flat", "slope", "hemisphere", "mars1", "jsc1a"],
 )
 def test_other_sound_samples_show_no_fault(tmp_path: Path, options: str) -> None:
     assert check(take(tmp_path, options)).findings == ()

@@ -13,6 +13,8 @@ from reliefscope_sim.url import KEYS, SimUrl
 def test_name_gives_its_profile():
     assert SimUrl.parse("sim://miniature").load_profile().name == "miniature"
     assert SimUrl.parse("sim://left-bench").load_profile().name == "benchtop"
+    assert SimUrl.parse("sim://benchtop-2").load_profile().name == "benchtop"
+    assert SimUrl.parse("sim://bencht0p?profile=miniature").load_profile().name == "miniature"
     assert SimUrl.parse("sim://left?profile=miniature").load_profile().name == "miniature"
 
 
@@ -54,6 +56,8 @@ def test_positive_glass_has_less_contrast_than_negative():
         ("sim://", "address"),
         ("sim://a b", "address"),
         ("sim://benchtop/path", "address"),
+        ("sim://bencht0p", "there are benchtop and miniature"),
+        ("sim://minature?size=96x72", "did you mean `sim://miniature`"),
         ("socket://benchtop", "address"),
         ("sim://benchtop?sead=1", "did you mean `seed`"),
         ("sim://benchtop?seed=x", "seed"),

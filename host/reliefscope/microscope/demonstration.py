@@ -9,6 +9,7 @@ from pathlib import Path
 from typing import Any
 from urllib.parse import urlencode
 
+from reliefscope.errors import InvalidInputError
 from reliefscope.evaluation import PAPER_TABLE_I, TableRow
 from reliefscope.jobs import Job, ensure_job
 from reliefscope.microscope.evaluating import Evaluation
@@ -96,19 +97,24 @@ def demo(
     profile, method:
         Instrument to simulate, method of reconstruction.
     beside:
-        Another method, whose result and errors are told beside those of ``method``.
+        Another method than ``method``, whose result and errors are told beside.
     job:
         Receives progress; may cancel.
 
     Raises
     ------
     InvalidInputError
-        If there is no such scene, finish, profile or method; nothing was made.
+        If there is no such scene, finish, profile or method, or ``beside`` is ``method``; nothing was made.
     """
     from reliefscope.reconstruction.settings import settings_for
 
     job = ensure_job(job)
-    methods = [method] if beside in (None, method) else [method, beside]
+    if beside == method:
+        raise InvalidInputError(
+            f"`{method}` beside itself shows nothing.",
+            hint="Name another method to compare it with, or leave `--beside` out.",
+        )
+    methods = [method] if beside is None else [method, beside]
     for name in methods:
         settings_for(name)  # refuse a wrong name before anything is taken
     url = demo_url(profile, scene, finish, seed, size)

@@ -39,7 +39,8 @@ LEAST_FIT = 0.5
 MARGIN = 0.1
 """By how much another map must fit better than the one given."""
 LEAST_SHADED = 0.05
-"""Share of the pairs of pixel and light that must be dark, and lie in a cast shadow, for shadows to decide."""
+"""Share of the pairs of pixel and light that must be dark, and lie in a cast shadow, for shadows to decide; of those where
+the light does not graze."""
 LEAST_SHARE = 0.4
 """Share of the blocks that must agree for slopes to decide anything."""
 TURN_TOLERANCE_DEG = 10.0
@@ -234,7 +235,7 @@ def _map_findings(
 ) -> list[Finding]:
     """What is wrong with the maps; by shadows where there are any.
 
-    On an even slope the light grazes without an edge, so shadows do not fit; slopes that agree acquit it.
+    A steep side grows dark without an edge, so that shadows fit badly; slopes that agree acquit the maps.
     """
     if shadows is not None and min(shadows.dark_share, shadows.share) >= LEAST_SHADED:
         if shadows.upside_down > max(shadows.best, LEAST_CORRELATION) + MARGIN:

@@ -61,9 +61,10 @@ class ShadowAgreement:
     lights:
         (L, L) correlation of the dark places under light i with the shadows that light j would cast.
     share:
-        Share of the pairs of pixel and light that should lie in a cast shadow.
+        Share of the pairs of pixel and light that should lie in a cast shadow, among those where the light does not
+        graze.
     dark_share:
-        Share of the pairs that are dark.
+        Share of the same pairs that are dark.
     """
 
     as_is: float
@@ -98,7 +99,8 @@ def compare_shadows(
     best = scene.score(mirrored=mirrored, angle_deg=angle)
     if best <= as_is:
         mirrored, angle, best = False, 0.0, as_is
-    sharp = replace(scene, known=scene.known & scene.sharp)
+    facing = scene.known & scene.facing
+    sharp = replace(scene, known=facing & scene.inside)
     scores = np.array([sharp.score(float(scale)) for scale in SCALES])
     return ShadowAgreement(
         as_is=as_is,
@@ -109,8 +111,8 @@ def compare_shadows(
         scale=math.exp(_peak(np.log(SCALES), scores)),
         scale_correlation=float(scores.max()),
         lights=scene.cross_correlation(),
-        share=float((~scene.lit()[scene.known]).mean()),
-        dark_share=float((scene.arrived[scene.known] < DARK / BRIGHT).mean()),
+        share=_share(~scene.lit(), facing),
+        dark_share=_share(scene.arrived < DARK / BRIGHT, facing),
     )
 
 
@@ -118,14 +120,15 @@ def compare_shadows(
 class _Scene:
     """Reduced heights (h, w), and the light that arrived (L, h, w): 1 where fully lit.
 
-    ``known`` (L, h, w) is where it is known, ``sharp`` where all that can cast a shadow lies in the field, and
-    where the light does not graze.
+    ``known`` (L, h, w) is where it is known, ``inside`` where all that can cast a shadow lies in the field, and
+    ``facing`` where the light does not graze.
     """
 
     height_um: FloatImage
     arrived: FloatImage
     known: BoolImage
-    sharp: BoolImage
+    inside: BoolImage
+    facing: BoolImage
     lights: LightField
     pixel_um: float
 
@@ -153,15 +156,14 @@ class _Scene:
         with np.errstate(invalid="ignore", divide="ignore"):
             arrived = np.clip(frames / (BRIGHT * frames.mean(axis=0)), 0.0, 1.0)
         directions = lights.directions.astype(np.float32)
-        sharp = [
-            _inside(height, direction, pixel_um * factor) & (upright @ direction >= LEAST_COSINE)
-            for direction in directions
-        ]
+        inside = [_inside(height, direction, pixel_um * factor) for direction in directions]
+        facing = [upright @ direction >= LEAST_COSINE for direction in directions]
         return cls(
             height_um=height,
             arrived=arrived,
             known=np.isfinite(arrived),
-            sharp=np.stack(sharp),
+            inside=np.stack(inside),
+            facing=np.stack(facing),
             lights=lights,
             pixel_um=pixel_um * factor,
         )
@@ -218,6 +220,11 @@ class _Scene:
         mean = known.sum(axis=0) / np.maximum(self._weight.sum(axis=0), np.float32(1.0))
         known -= self._weight * mean
         return known
+
+
+def _share(chosen: BoolImage, among: BoolImage) -> float:
+    """Share of the pairs (L, h, w) ``among`` which are ``chosen``; 0 where there are none."""
+    return float(chosen[among].mean()) if among.any() else 0.0
 
 
 def _inside(height_um: FloatImage, direction: NDArray[np.float64], pixel_um: float) -> BoolImage:
