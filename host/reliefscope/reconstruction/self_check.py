@@ -39,8 +39,8 @@ LEAST_FIT = 0.5
 MARGIN = 0.1
 """By how much another map must fit better than the one given."""
 LEAST_SHADED = 0.05
-"""Share of the pairs of pixel and light that must be dark, and lie in a cast shadow, for shadows to decide; of those where
-the light does not graze."""
+"""Share of the pairs of pixel and light, those where the light does not graze, that must be dark, and lie in a cast
+shadow, for shadows to decide."""
 LEAST_SHARE = 0.4
 """Share of the blocks that must agree for slopes to decide anything."""
 TURN_TOLERANCE_DEG = 10.0
