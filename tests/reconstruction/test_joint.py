@@ -23,6 +23,7 @@ Array = NDArray[np.float64]
 RANGE_UM = (-6.0, 50.0)
 SHAPE = (160, 208)
 SOFTNESS = 0.07
+CONTRAST = 0.15
 INSIDE = np.s_[24:-24, 24:-24]
 
 
@@ -42,8 +43,10 @@ def box(image: Array, window: int) -> Array:
     return np.asarray(wide.mean(axis=(2, 3)))
 
 
-def expected_score(views: NDArray[np.float32], small: int, large: int, noise: float) -> Array:
-    """Harmonic mean over channels and the large window of 1 - score + softness, for unshifted views."""
+def expected_score(
+    views: NDArray[np.float32], small: int, large: int, noise: float
+) -> tuple[Array, Array]:
+    """Harmonic mean of 1 - score + softness over channels and alike windows, for unshifted views; brightness."""
     total = np.zeros((1, 1))
     for channel in views.astype(np.float64):
         own = sum(box(v * v, small) - box(v, small) ** 2 for v in channel)
@@ -51,7 +54,13 @@ def expected_score(views: NDArray[np.float32], small: int, large: int, noise: fl
         of_sum = box(summed**2, small) - box(summed, small) ** 2
         score = (of_sum - own) / ((len(channel) - 1) * (own + len(channel) * noise))
         total = total + 1 / (1 - score + SOFTNESS)
-    return 1 + SOFTNESS - 1 / box(total / len(views), large)
+    votes = np.lib.stride_tricks.sliding_window_view(total / len(views), (large, large))
+    brightness = box(views.astype(np.float64).mean(axis=(0, 1)), small)
+    around = np.lib.stride_tricks.sliding_window_view(brightness, (large, large))
+    here = brightness[large // 2 : -(large // 2), large // 2 : -(large // 2)]
+    weights = 1 / (1 + ((around - here[..., None, None]) / CONTRAST) ** 2)
+    mean_vote = (weights * votes).sum(axis=(2, 3)) / weights.sum(axis=(2, 3))
+    return 1 + SOFTNESS - 1 / mean_vote, here
 
 
 @pytest.mark.parametrize(("small", "large"), [(3, 5), (5, 3), (7, 9)])
@@ -70,6 +79,7 @@ def test_kernel_is_its_formula_at_whole_shifts(small: int, large: int) -> None:
     padded = np.pad(views, ((0, 0), (0, 0), (margin, margin), (margin, margin)), mode="edge")
     tile = np.array([12, 26, 13, 31])
     curves = np.empty((1, 14, 18), dtype=np.float32)
+    brightness = np.empty((14, 18), dtype=np.float32)
     score_tile_jointly(
         padded,
         margin,
@@ -83,11 +93,15 @@ def test_kernel_is_its_formula_at_whole_shifts(small: int, large: int) -> None:
         large,
         noise,
         SOFTNESS,
+        CONTRAST,
         curves,
+        brightness,
     )
     moved = np.stack([np.roll(views[:, k], (-m[1], -m[0]), (1, 2)) for k, m in enumerate(moves)], 1)
     part = moved[:, :, 12 - reach : 26 + reach, 13 - reach : 31 + reach]
-    assert np.abs(curves[0] - expected_score(part, small, large, noise)).max() < 2e-4
+    score, here = expected_score(part, small, large, noise)
+    assert np.abs(curves[0] - score).max() < 2e-4
+    assert np.abs(brightness - here).max() < 1e-5
 
 
 def test_kernel_leaves_out_unused_views_and_scores_nothing_from_too_few() -> None:
@@ -112,11 +126,49 @@ def test_kernel_leaves_out_unused_views_and_scores_nothing_from_too_few() -> Non
         5,
         0.0,
         SOFTNESS,
+        CONTRAST,
         curves,
+        np.empty((8, 8), dtype=np.float32),
     )
     assert curves[0].max() < 0.7
     assert np.allclose(curves[1], 1.0, atol=1e-4)  # three equal views
     assert np.isnan(curves[2]).all()  # no pair
+
+
+def test_brightness_is_that_of_the_height_that_wins() -> None:
+    rng = np.random.default_rng(5)
+    margin = 8
+    padded = np.zeros((1, 3, 40, 40), dtype=np.float32)
+    padded[:, :, :, :] = rng.random((1, 1, 40, 40), dtype=np.float32)
+    height_um = 2.0
+    plan = plan_shifts(np.array([[1.0, 0.0], [0.0, 0.0], [0.0, 1.0]]), [0.0, height_um], 1.0)
+    curves = np.empty((2, 8, 8), dtype=np.float32)
+    brightness = np.empty((8, 8), dtype=np.float32)
+    used = np.array([[0, 0, 0], [1, 1, 1]], np.bool_)  # nothing is known at the first height
+    for _ in range(2):
+        score_tile_jointly(
+            padded,
+            margin,
+            plan.row_whole,
+            plan.col_whole,
+            plan.row_weights,
+            plan.col_weights,
+            used,
+            np.array([4, 12, 4, 12]),
+            3,
+            5,
+            0.0,
+            SOFTNESS,
+            CONTRAST,
+            curves,
+            brightness,
+        )
+        means = box(padded[0, 0].astype(np.float64), 3)[11:19, 11:19]
+        if used[0].all():
+            assert np.abs(brightness - means).max() < 1e-5
+        else:
+            assert np.abs(brightness - means).max() > 0.05
+        used[0] = True
 
 
 def test_plane_and_dome_are_found_at_least_as_well_as_by_the_exact_search() -> None:

@@ -4,7 +4,12 @@ import numpy as np
 from tests.reconstruction import scenes
 
 from reliefscope.reconstruction.joint import match_jointly
-from reliefscope.reconstruction.matching_error import GREATEST_UM, roughness, standard_error
+from reliefscope.reconstruction.matching_error import (
+    BRIGHTNESS_EXPONENT,
+    GREATEST_UM,
+    roughness,
+    standard_error,
+)
 
 SHAPE = (128, 160)
 INSIDE = np.s_[24:-24, 24:-24]
@@ -29,9 +34,23 @@ def test_missing_and_flat_peaks_know_nothing_and_spare_their_surroundings() -> N
     peak = np.full((40, 40), 0.95, np.float32)
     curvature = np.full((40, 40), 0.01, np.float32)
     curvature[20, 20] = 0.0
-    sigma = standard_error(height, peak, curvature, 0.05)
+    brightness = np.zeros((40, 40), np.float32)
+    brightness[5, 5] = np.nan
+    sigma = standard_error(height, peak, curvature, brightness, 0.05)
     assert sigma[5, 5] == sigma[20, 20] == GREATEST_UM
     assert sigma[30, 30] == sigma[5, 7] < 1.0
+
+
+def test_dark_ground_beside_a_bright_surface_is_less_certain_than_the_surface() -> None:
+    height = np.full((40, 40), 3.0, np.float32)
+    peak = np.full((40, 40), 0.95, np.float32)
+    curvature = np.full((40, 40), 0.01, np.float32)
+    brightness = np.full((40, 40), np.log(0.1), np.float32)
+    brightness[:, :20] = np.log(0.3)
+    sigma = standard_error(height, peak, curvature, brightness, 0.05)
+    assert np.allclose(sigma[:, :20], sigma[0, 0])
+    assert np.allclose(sigma[:, 22] / sigma[0, 0], 3.0**BRIGHTNESS_EXPONENT, rtol=1e-4)
+    assert np.allclose(sigma[:, 30:], sigma[0, 0])  # as dark as all around
 
 
 def test_sigma_grows_with_noise_as_the_errors_do() -> None:

@@ -52,7 +52,7 @@ LARGE_WINDOW = 5
 """Windows in binned pixels: correlated, and averaged over."""
 LARGE_WINDOW_ALONE = 9
 """Window that is averaged over where there is one channel: fewer samples vote."""
-STEP_PX = 0.33
+STEP_PX = 0.5
 """Parallax, in binned pixels and against the mean view, between neighbouring candidate heights."""
 NOISE_SHARE = 0.005
 """Variance added to each window's in the denominator, as a share of the median window variance."""
@@ -69,7 +69,7 @@ BORDER_ROWS = 2
 LEAST_TILE = 16
 DRIFT_PX = 0.05
 """Change within a tile of the shift by telecentricity, in binned pixels, that smaller tiles avoid."""
-JUMP_STEPS = 3.0
+JUMP_STEPS = 2.0
 """Difference between neighbours, in steps of height, over which no height is interpolated."""
 
 
@@ -203,7 +203,7 @@ def match_jointly(
         tiles.run_each(lambda tile: search.find(tile, everyone, peaks.part(tile)), places, stage)
     search_behind_steps(search, peaks, job)
     height_um = np.clip(peaks.height_um, low, high)
-    sigma_um = standard_error(height_um, peaks.score, peaks.curvature, SOFTNESS)
+    sigma_um = standard_error(height_um, peaks.score, peaks.curvature, peaks.brightness, SOFTNESS)
     jump = JUMP_STEPS * float(heights[1] - heights[0])
     height_um = _expanded(height_um, shape, binning, jump)
     quality = _expanded(peaks.quality, shape, binning, math.inf)

@@ -14,6 +14,11 @@ mean is harmonic in what the views do not share, ``1 - score + softness``.  Near
 that fits to 2 % then counts for much more than one that fits to 10 %, as it does in a likelihood: a highlight
 moves against the surface and fits poorly at every height, so the channels that it misses decide.
 
+Windows vote the less, the more their brightness differs from that of the pixel's own (adaptive support, Yoon
+and Kweon, "Adaptive support-weight approach for correspondence search", PAMI 2006): beyond an edge lies another
+surface.  Brightness is the mean over views and channels, shifted to the height in question, so that it needs no
+view from above.
+
 All sums are float32 and direct, never running, on images whose mean was taken off.  A tile stays in the
 second-level cache.  The kernels release the interpreter lock and are single-threaded.
 """
@@ -86,12 +91,6 @@ def across(columns: F32, window: int, out: F32) -> None:
         for x in range(out.size):
             out[x] = columns[x] + columns[x + 1] + columns[x + 2]
         return
-    if window == 5:
-        for x in range(out.size):
-            out[x] = (
-                (columns[x] + columns[x + 1]) + columns[x + 2] + (columns[x + 3] + columns[x + 4])
-            )
-        return
     for x in range(out.size):
         out[x] = columns[x]
     for shift in range(1, window):
@@ -130,11 +129,34 @@ def add_row(row: F32, sums: F32) -> None:
 
 
 @njit(cache=True, nogil=True, error_model="numpy", fastmath=True)
-def mean_score(votes: F32, share: np.float32, softness: np.float32, out: F32) -> None:
-    """Score whose vote is the mean vote, within [-1, 1]."""
+def add_alike(
+    votes: F32, brightness: F32, here: F32, unlikeness: np.float32, total: F32, weights: F32
+) -> None:
+    """Add votes of a row of windows, and their weights, which fall as their brightness departs from ``here``."""
     one = np.float32(1.0)
+    for x in range(total.size):
+        apart = brightness[x] - here[x]
+        weight = one / (one + unlikeness * apart * apart)
+        total[x] += weight * votes[x]
+        weights[x] += weight
+
+
+@njit(cache=True, nogil=True, error_model="numpy", fastmath=True)
+def mean_score(votes: F32, weights: F32, channels: int, softness: np.float32, out: F32) -> None:
+    """Score whose vote is the weighted mean vote, within [-1, 1]."""
+    one = np.float32(1.0)
+    scale = softness * np.float32(channels)
     for x in range(out.size):
-        out[x] = min(max(one + softness - softness / (votes[x] * share), -one), one)
+        out[x] = min(max(one + softness - scale * weights[x] / votes[x], -one), one)
+
+
+@njit(cache=True, nogil=True, error_model="numpy")
+def keep_best(score: F32, brightness: F32, share: np.float32, best: F32, kept: F32) -> None:
+    """Keep the brightness that belongs to the greatest score so far."""
+    for x in range(score.size):
+        if score[x] > best[x]:
+            best[x] = score[x]
+            kept[x] = brightness[x] * share
 
 
 @njit(cache=True, nogil=True, error_model="numpy")
@@ -171,7 +193,9 @@ def score_tile_jointly(
     large: int,
     noise_variance: float,
     softness: float,
+    contrast: float,
     curves: F32,
+    brightness: F32,
 ) -> None:
     """Joint score of one tile for every height.
 
@@ -193,8 +217,12 @@ def score_tile_jointly(
         Added per view to the window variance in the denominator.
     softness:
         Added to what the views do not share, above 0: the mean turns from harmonic to arithmetic as it grows.
+    contrast:
+        Difference of brightness at which a window's vote counts half.
     curves:
         (N, rows, cols) output; NaN at heights where fewer than two views are used.
+    brightness:
+        (rows, cols) output: mean of the pixel's own small window at the greatest score; NaN without a score.
     """
     channels, views = images.shape[0], images.shape[1]
     inner, outer = small // 2, large // 2
@@ -209,12 +237,16 @@ def score_tile_jointly(
     sample = np.empty((depth, width), dtype=np.float32)
     squared_sums = np.empty((scored_rows, scored_cols), dtype=np.float32)
     votes = np.empty((scored_rows, scored_cols), dtype=np.float32)
+    means = np.empty((scored_rows, scored_cols), dtype=np.float32)
     soft = np.float32(softness)
     line = np.empty(width + 3, dtype=np.float32)
     sums = np.empty(width, dtype=np.float32)
     sums_squares = np.empty(width, dtype=np.float32)
     wide = np.empty((3, scored_cols), dtype=np.float32)
-    mean = np.empty(cols, dtype=np.float32)
+    total = np.empty(cols, dtype=np.float32)
+    weights = np.empty(cols, dtype=np.float32)
+    best = np.full((rows, cols), -np.inf, dtype=np.float32)
+    brightness[:] = np.nan
     for n in range(row_whole.shape[0]):
         count = 0
         for k in range(views):
@@ -224,6 +256,7 @@ def score_tile_jointly(
             continue
         noise = np.float32(noise_variance * count)
         votes[:] = np.float32(0.0)
+        means[:] = np.float32(0.0)
         for c in range(channels):
             totals[:] = np.float32(0.0)
             squares[:] = np.float32(0.0)
@@ -260,6 +293,7 @@ def score_tile_jointly(
                 for y in range(r, r + small):
                     add_rows(totals[y], sums, sums_squares)
                 across(sums, small, wide[0])
+                add_row(wide[0], means[r])
                 across(sums_squares, small, wide[1])
                 sums[:] = np.float32(0.0)
                 for y in range(r, r + small):
@@ -276,13 +310,18 @@ def score_tile_jointly(
                     count,
                     votes[r],
                 )
-        factor = np.float32(1.0 / (channels * large * large))
+        each = np.float32(1.0 / (small * small * channels * count))
+        unlikeness = np.float32((each / contrast) ** 2)
         for r in range(rows):
-            sums[:scored_cols] = np.float32(0.0)
+            here = means[r + outer, outer : outer + cols]
+            total[:] = np.float32(0.0)
+            weights[:] = np.float32(0.0)
             for y in range(r, r + large):
-                add_row(votes[y], sums[:scored_cols])
-            across(sums[:scored_cols], large, mean)
-            mean_score(mean, factor, soft, curves[n, r])
+                for x in range(large):
+                    place = slice(x, x + cols)
+                    add_alike(votes[y, place], means[y, place], here, unlikeness, total, weights)
+            mean_score(total, weights, channels, soft, curves[n, r])
+            keep_best(curves[n, r], here, each, best[r], brightness[r])
 
 
 @njit(cache=True, nogil=True, error_model="numpy")

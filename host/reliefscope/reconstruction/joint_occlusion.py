@@ -3,8 +3,8 @@
 Ground beside a step is hidden from the views that lean over it; what they show there is the wall and its edge,
 which agree on a wrong height.  Where the first search found higher ground on one side of a pixel and lower
 ground on the other, the search is repeated with the half of the views that leans away from the higher side;
-the pixel takes that height where its score is the greater.  Only heights that the first search found around
-the pixel are tried, and the quality is the lead over their median.
+the pixel takes that height where it leaves clearly less that the views do not share.  Only heights that the first
+search found around the pixel are tried, and the quality is the lead over their median.
 """
 
 from __future__ import annotations
@@ -14,13 +14,16 @@ from numpy.typing import NDArray
 
 from reliefscope.jobs import Job, ensure_job
 from reliefscope.reconstruction import tiles
-from reliefscope.reconstruction.joint_search import JointSearch, Peaks
+from reliefscope.reconstruction.joint_search import SOFTNESS, JointSearch, Peaks
 from reliefscope.reconstruction.matcher import Tile
 from reliefscope.units import BoolImage, FloatImage
 
-STEP = 4.0
+STEP = 2.6
 """Difference of height over the windows, in candidate heights, from which one side may hide the other."""
-MARGIN = 3
+GAIN = 0.85
+"""Share of what all views do not share (``1 - score + softness``) that the half of them must come down to: fewer views
+share more by chance alone."""
+MARGIN = 2
 """Candidate heights that are tried beyond those around a pixel."""
 BLOCK_ROWS, BLOCK_COLUMNS = 48, 96
 """Binned pixels that are searched together, where one of them needs it."""
@@ -53,7 +56,8 @@ def _look(
         around = _around(first, block, search.reach)
         search.find(block, among, found, _span(around, search.heights_um))
         needed = below[block[0] : block[1], block[2] : block[3]]
-        known.take(found, needed & (found.score > known.score))
+        better = (1.0 + SOFTNESS - found.score) < GAIN * (1.0 + SOFTNESS - known.score)
+        known.take(found, needed & better)
 
     blocks = _blocks(below)
     with Job().stage("look behind steps", len(blocks)) as stage:

@@ -18,6 +18,8 @@ from reliefscope.units import BoolImage, FloatImage
 SOFTNESS = 0.05
 """Added to what the views of a small window do not share before the harmonic mean
 (:mod:`~reliefscope.reconstruction.joint_kernels`): below it, differences are noise."""
+CONTRAST = 0.2
+"""Difference of brightness, as a logarithm, at which a window votes half on a pixel's height."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -37,11 +39,14 @@ class Peaks:
     quality: FloatImage
     score: FloatImage
     curvature: FloatImage
+    """Minus the second derivative of the score with height at its peak, per um squared."""
+    brightness: FloatImage
+    """Mean logarithm of intensity in the pixel's small window at that height."""
 
     @classmethod
     def empty(cls, shape: tuple[int, int]) -> Peaks:
         """Arrays to be filled."""
-        return cls(*(np.empty(shape, dtype=np.float32) for _ in range(4)))
+        return cls(*(np.empty(shape, dtype=np.float32) for _ in range(5)))
 
     def part(self, tile: Tile) -> Peaks:
         """The same arrays within a tile."""
@@ -51,6 +56,7 @@ class Peaks:
             self.quality[rows, cols],
             self.score[rows, cols],
             self.curvature[rows, cols],
+            self.brightness[rows, cols],
         )
 
     def take(self, other: Peaks, where: BoolImage) -> None:
@@ -60,6 +66,7 @@ class Peaks:
             (self.quality, other.quality),
             (self.score, other.score),
             (self.curvature, other.curvature),
+            (self.brightness, other.brightness),
         ):
             mine[where] = theirs[where]
 
@@ -123,7 +130,9 @@ class JointSearch:
             self.large_window,
             self.channels.noise_variance,
             SOFTNESS,
+            CONTRAST,
             curves,
+            found.brightness,
         )
         pick_heights(
             curves,

@@ -1,10 +1,12 @@
 """How far a matched height may be off: a standard error from the peak of the score and its surroundings.
 
-Two things tell.  The *width* of the peak: matching to a likelihood, ``log L ~ -log(1 - score + softness)``,
-whose curvature at the peak falls with noise and with lack of texture.  And the *roughness* of the heights
-around the pixel, their deviation from a plane: where matching errs, neighbours disagree, and at a step the
-windows straddle it.  The standard error is a product of powers of them, fitted to the true errors of the
-simulated instrument (docs/explanation/default-method.md tells scenes and coverage).
+Three things tell.  The *width* of the peak: matching to a likelihood, ``log L ~ -log(1 - score + softness)``,
+whose curvature at the peak falls with noise and with lack of texture.  The *roughness* of the heights around the
+pixel, their deviation from a plane: where matching errs, neighbours disagree, and at a step the windows straddle
+it.  And how much *brighter* the brightest place nearby is: the edge of a bright surface outweighs what a dark one
+beside it shows, so that gaps and shadowed ground take the height of what stands over them.  The standard error is
+a product of powers of them, fitted to the true errors of the simulated instrument
+(docs/explanation/default-method.md tells scenes and coverage).
 """
 
 from __future__ import annotations
@@ -14,10 +16,13 @@ import numpy as np
 
 from reliefscope.units import FloatImage
 
-SCALE = 0.03
-WIDTH_EXPONENT = 2.0
-ROUGHNESS_EXPONENTS = (0.4, 0.6)
-"""Standard error in um per um of width and of roughness near and far, to these powers."""
+SCALE = 0.11
+WIDTH_EXPONENT = 1.0
+ROUGHNESS_EXPONENTS = (0.4, 0.4)
+BRIGHTNESS_EXPONENT = 1.15
+"""Standard error in um per um of width, of roughness near and far, and by the ratio of intensities, to these powers."""
+BRIGHT_WINDOW = 11
+"""Window, in samples, in which the brightest place is looked for: as far as the windows of matching reach."""
 WINDOWS = (5, 9)
 """Windows of the roughness in samples: about that of matching, and one that sees a step from either side."""
 LEAST_ROUGHNESS_UM = 0.05
@@ -39,8 +44,18 @@ def roughness(height_um: FloatImage, window: int) -> FloatImage:
     return np.asarray(np.sqrt(np.maximum(variance, 0.0)), dtype=np.float32)
 
 
+def brightest(brightness: FloatImage) -> FloatImage:
+    """Greatest mean of 3 x 3 samples (H, W) in :data:`BRIGHT_WINDOW`."""
+    window = np.ones((BRIGHT_WINDOW, BRIGHT_WINDOW), np.uint8)
+    return np.asarray(cv2.dilate(cv2.blur(brightness, (3, 3)), window), dtype=np.float32)
+
+
 def standard_error(
-    height_um: FloatImage, peak: FloatImage, curvature: FloatImage, softness: float
+    height_um: FloatImage,
+    peak: FloatImage,
+    curvature: FloatImage,
+    brightness: FloatImage,
+    softness: float,
 ) -> FloatImage:
     """Standard error (H, W) of matched heights in um, at most :data:`GREATEST_UM`.
 
@@ -50,6 +65,8 @@ def standard_error(
         (H, W) heights, NaN where missing (:data:`GREATEST_UM`).
     peak, curvature:
         Greatest score, and minus its second derivative with height there, per um squared.
+    brightness:
+        Logarithm of intensity there; undefined where the height is missing.
     softness:
         What ``1 - score`` leaves at a perfect match.
     """
@@ -57,6 +74,8 @@ def standard_error(
     filled = np.where(
         known, height_um, np.float32(np.median(height_um[known]) if known.any() else 0)
     )
+    darkest = np.float32(brightness[known].min() if known.any() else 0)
+    light = np.where(known, brightness, darkest)
     near, far = (np.maximum(roughness(filled, window), LEAST_ROUGHNESS_UM) for window in WINDOWS)
     with np.errstate(divide="ignore", invalid="ignore"):
         width = np.sqrt((1.0 + softness - peak) / np.maximum(curvature, 0.0))
@@ -65,6 +84,7 @@ def standard_error(
             * width**WIDTH_EXPONENT
             * near ** ROUGHNESS_EXPONENTS[0]
             * far ** ROUGHNESS_EXPONENTS[1]
+            * np.exp(BRIGHTNESS_EXPONENT * (brightest(light) - light))
         )
     sigma[~known] = GREATEST_UM
     return np.asarray(np.fmin(sigma, GREATEST_UM), dtype=np.float32)
