@@ -7,7 +7,6 @@ from reliefscope import axes
 from reliefscope.errors import Cancelled, InvalidInputError
 from reliefscope.jobs import Job
 from reliefscope.reconstruction import fusion
-from reliefscope.reconstruction.multigrid import Multigrid
 
 PIXEL_UM = 1.12
 SOBEL_X = np.array([[-1, 0, 1], [-2, 0, 2], [-1, 0, 1]]) / 8
@@ -227,23 +226,6 @@ def test_integration_of_a_hemisphere() -> None:
         assert result.converged
         assert float(result.height_um.mean()) == pytest.approx(0.0, abs=1e-4)
         np.testing.assert_allclose(result.height_um, surface - surface.mean(), atol=0.15)
-
-
-def test_multigrid_cycle_is_symmetric_and_positive() -> None:
-    """Conjugate gradients rest on it, cut springs and loose pixels included."""
-    rng = np.random.default_rng(4)
-    shape = (21, 26)
-    hold = rng.uniform(0, 1e-3, shape)
-    across = rng.uniform(0, 1, (21, 25)) * (rng.random((21, 25)) > 0.3)
-    down = rng.uniform(0, 1, (20, 26)) * (rng.random((20, 26)) > 0.3)
-    multigrid = Multigrid(hold, across, down)
-    assert multigrid.depth >= 4
-    first, second = rng.normal(size=shape), rng.normal(size=shape)
-    image_first, image_second = np.empty(shape), np.empty(shape)
-    multigrid.cycle(first, image_first)
-    multigrid.cycle(second, image_second)
-    assert np.vdot(second, image_first) == pytest.approx(np.vdot(first, image_second), rel=1e-3)
-    assert np.vdot(first, image_first) > 0
 
 
 def test_result_does_not_depend_on_threads() -> None:

@@ -1,5 +1,7 @@
 """Preconditioned conjugate gradients with a stopping rule in micrometres.
 
+The preconditioner may differ a little from one iteration to the next (flexible form: Notay 2000).
+
 A small residual says little about an ill-conditioned system.  The energy that iterations gain says
 more: the energy still missing is the sum of all later gains (Hestenes and Stiefel), here
 extrapolated geometrically from the last ones, and divided by the softest mode's energy per um^2 it
@@ -96,9 +98,9 @@ def _solve(
         if error_um <= tolerance_um:
             return Solution(z, iteration, error_um, True)
         multigrid.cycle(residual, correction)
-        following = kernels.dot(residual, correction)
-        kernels.turn(search, correction, following / product)
-        product = following
+        # the share of the old direction that is conjugate to a correction, linear or not (flexible form)
+        kernels.turn(search, correction, -alpha * kernels.dot(applied, correction) / product)
+        product = kernels.dot(residual, correction)
     return Solution(z, maximum_iterations, error_um, False)
 
 

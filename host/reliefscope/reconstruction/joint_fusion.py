@@ -73,13 +73,12 @@ LEAST_SIGMA_RAD, GREATEST_SIGMA_RAD = 0.02, 0.3
 WEAKEST_HOLD = 1e-8
 """Weight per um^2 that ties a pixel without a height to the median height."""
 TOLERANCE_UM = 0.006
-"""Estimated RMS distance to the exact minimum at which the last linear system is solved; the true one is up to eight
+"""Estimated RMS distance to the exact minimum at which the last linear system is solved; the true one is up to five
 times larger (bench_fusion)."""
-ROUND_ITERATIONS = 5
+ROUND_ITERATIONS = 3
 """Iterations of the solver in a round that another follows: its weights are provisional anyway."""
-MAXIMUM_ITERATIONS = 16
-"""Iterations of the last round.  More bring single bands between cut springs nearer to the minimum, by more than the
-tolerance, but change no mean error by 0.1 um (docs/explanation/fusion.md)."""
+MAXIMUM_ITERATIONS = 40
+"""Iterations of the last round at most; five to ten are usual."""
 LEAST_SIDE = 32
 """Images with a shorter side are not halved."""
 

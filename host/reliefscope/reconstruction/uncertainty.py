@@ -27,7 +27,7 @@ SAMPLES = 4
 """Surfaces drawn; with the averaging over neighbours some thirty samples stand behind a pixel."""
 AVERAGED_PX = 1.0
 """Standard deviation of the window over which the variance is averaged."""
-ITERATIONS = 8
+ITERATIONS = 3
 """Of the solver, per sample: enough for a few per cent of the deviation."""
 GAIN, EXPONENT = 3.0, 1.15
 """Stated error from the sampled deviation, both in pixels."""
