@@ -13,12 +13,14 @@ from reliefscope.errors import Cancelled, InvalidInputError
 from reliefscope.jobs import Job
 from reliefscope.models.light_field import LightField
 from reliefscope.reconstruction.pipeline import reconstruct
-from reliefscope.reconstruction.settings import PaperSettings, Settings
+from reliefscope.reconstruction.settings import JointSettings, PaperSettings, Settings
 
 PIXEL_UM = 1.12
 SHAPE = (96, 112)
 PAPER = Settings(method="paper", paper=PaperSettings(height_step_um=2.0, window=11))
 JOINT = Settings()
+TINT = np.array([1.6, 0.9, 0.6], np.float32)
+"""Red, green and blue over luminance, of which green is one half."""
 BOTH = pytest.mark.parametrize("settings", [PAPER, JOINT], ids=["paper", "joint"])
 
 
@@ -51,6 +53,15 @@ class ArrayFrames:
     @property
     def light_field(self) -> LightField | None:
         return None if self.lights is None else LightField.distant(self.lights, self.powers)
+
+    @property
+    def in_colour(self) -> bool:
+        return True
+
+    def rgb(self, kind: str, view: int, light: int) -> np.ndarray:
+        """A sample that is reddish as a whole, of the same luminance."""
+        assert kind == "view"
+        return self.images[view, light][..., None] * TINT
 
     def saturation_level(self, view: int, light: int) -> float:
         return self.full_scale
@@ -153,6 +164,16 @@ def test_unequal_gain_of_views_and_power_of_lights_are_taken_off(
     other = replace(frames, images=images.astype(np.float32), powers=powers)
     result = reconstruct(other, settings)
     assert mean_error(result.height_um, truth) < 0.4
+
+
+@pytest.mark.parametrize("views", [1, 6])
+def test_albedo_in_colour_on_demand(frames: ArrayFrames, views: int) -> None:
+    seen = replace(frames, images=frames.images[:views], views=frames.views[:views])
+    assert reconstruct(seen).albedo_rgb is None
+    result = reconstruct(seen, Settings(joint=JointSettings(colour=True)))
+    expected = result.albedo[..., None] * TINT
+    np.testing.assert_allclose(result.albedo_rgb[INNER], expected[INNER], rtol=2e-3)
+    assert "colour" in result.timings_s
 
 
 @BOTH

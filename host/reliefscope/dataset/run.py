@@ -288,6 +288,11 @@ class Run:
         level: FloatImage = np.float32(gain) * (np.float32(1.0) - offset)
         return level
 
+    @property
+    def in_colour(self) -> bool:
+        """Whether the sensor sees red, green and blue."""
+        return self.spec.frame.sensor != "mono"
+
     def rgb(self, kind: FrameKind, view: int | None, light: int | None) -> FloatImage:
         """Linear red, green and blue (H, W, 3), corrected like :meth:`linear`, without white balance."""
         entry = self.record(kind, view, light)

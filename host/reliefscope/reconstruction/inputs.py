@@ -11,6 +11,7 @@ from numpy.typing import NDArray
 
 from reliefscope.errors import InvalidInputError
 from reliefscope.models.light_field import LightField
+from reliefscope.models.plan import FrameKind
 from reliefscope.reconstruction import photometric
 from reliefscope.reconstruction.settings import Settings
 from reliefscope.units import BoolImage, FloatImage
@@ -62,6 +63,13 @@ class Frames(Protocol):
     @property
     def mask(self) -> BoolImage | None:
         """Valid pixels (H, W); None: all."""
+
+    @property
+    def in_colour(self) -> bool:
+        """Whether the sensor sees red, green and blue."""
+
+    def rgb(self, kind: FrameKind, view: int | None, light: int | None) -> FloatImage:
+        """Linear red, green and blue (H, W, 3) of one frame."""
 
     def saturation_level(self, view: int, light: int) -> FloatImage | float:
         """Luminance (H, W), or one for all pixels, from which a pixel counts as saturated."""

@@ -9,6 +9,7 @@
    highlights.
 5. Comparison of the result with itself (:mod:`~reliefscope.reconstruction.self_check`).
 6. Fusion of heights and normals by their standard errors (:mod:`~reliefscope.reconstruction.joint_fusion`).
+7. On demand, the albedo in colour, from the view nearest to s = 0 (:mod:`~reliefscope.reconstruction.colour`).
 
 With one view there is no stereo, and the normals are integrated; with one light there is stereo only, and robust
 smoothing fills and cleans the heights.
@@ -31,6 +32,7 @@ from reliefscope.reconstruction import (
     shadows,
 )
 from reliefscope.reconstruction.channel_means import ChannelMeans, read_channel_means
+from reliefscope.reconstruction.colour import colour_albedo
 from reliefscope.reconstruction.filling import fill_heights
 from reliefscope.reconstruction.inputs import Inputs, refuse_undefined
 from reliefscope.reconstruction.mvs import MvsResult
@@ -70,6 +72,7 @@ def reconstruct_jointly(
     shading: _Shading | None = None
     check: SelfCheck | None = None
     saturated: BoolImage
+    gains = np.ones(inputs.view_count)
     if inputs.stereo:
         means = _read(inputs, clock)
         if micrograph is None:
@@ -103,6 +106,9 @@ def reconstruct_jointly(
         assert shading is not None  # one of the two methods was run
         micrograph = shading.images.mean(axis=0)
     height, sigma, kind = _surface(inputs, stereo, shading, clock, figures)
+    albedo_rgb = None
+    if shading is not None and inputs.settings.joint.colour and inputs.frames.in_colour:
+        albedo_rgb = _in_colour(inputs, gains, height if stereo else None, shading.solved, clock)
     if inputs.mask is not None:
         height = np.where(inputs.mask, height, np.float32(np.nan))
     solved = shading.solved if shading else None
@@ -118,6 +124,7 @@ def reconstruct_jointly(
         normals=solved.normals if solved else None,
         normal_sigma_rad=solved.sigma_rad if solved else None,
         albedo=solved.albedo if solved else None,
+        albedo_rgb=albedo_rgb,
         photometric_quality=solved.quality if solved else None,
         lights_used=solved.lights_used if solved else None,
         residual=solved.residual if solved else None,
@@ -229,6 +236,29 @@ def _registered(
             )
             stage.advance()
         return average.mean(1.0 / inputs.relative_powers), average.incomplete
+
+
+def _in_colour(
+    inputs: Inputs,
+    gains: NDArray[np.float64],
+    height_um: FloatImage | None,
+    solved: photometric.PsResult,
+    clock: StageClock,
+) -> FloatImage:
+    """Albedo (H, W, 3) from the view nearest to s = 0; ``height_um`` None: it is there."""
+    view = inputs.nearest
+    sx, sy = inputs.slopes[view]
+    with clock.timed("colour"):
+        return colour_albedo(
+            inputs.frames,
+            view,
+            (float(sx), float(sy)),
+            float(gains[view]),
+            height_um,
+            inputs.light_field.scaled(inputs.relative_powers),
+            solved,
+            clock.job,
+        )
 
 
 def _surface(

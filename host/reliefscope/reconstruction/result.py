@@ -58,6 +58,8 @@ class Reconstruction:
         Stereo heights after discarding and smoothing.
     normals, albedo, photometric_quality, residual:
         As solved, before anything is discarded; normals are (H, W, 3).
+    albedo_rgb:
+        (H, W, 3) albedo in red, green and blue as the sensor weighs them; its luminance is ``albedo``.
     normal_sigma_rad:
         Angular error to expect of the normal.
     lights_used:
@@ -89,6 +91,7 @@ class Reconstruction:
     normal_sigma_rad: FloatImage | None = None
     lights_used: FloatImage | None = None
     albedo: FloatImage | None = None
+    albedo_rgb: FloatImage | None = None
     photometric_quality: FloatImage | None = None
     residual: FloatImage | None = None
     micrograph: FloatImage | None = None

@@ -28,6 +28,8 @@ class JointSettings(StrictModel):
     """Leave a light out where the height puts the point into its shadow."""
     photometric_quality: Fraction = 0.25
     """Normals of a lower quality count as doubtful; without heights to weigh them against they are left out."""
+    colour: bool = False
+    """Albedo in red, green and blue besides, where the sensor sees colour; reads one view again."""
 
 
 class PaperSettings(StrictModel):

@@ -63,6 +63,8 @@ def write_pictures(
             ("slant", view.slant),
             ("quality_photometric", view.quality_photometric),
         ]
+    if view.albedo_rgb is not None:
+        makers.append(("albedo", view.albedo_map))
     if view.micrograph is not None:
         makers.append(("micrograph", view.micrograph_map))
         if view.saturated is not None and view.saturated.any():
@@ -114,6 +116,7 @@ class _Reduced:
         self.normals = _maybe(reconstruction.normals, self._reduce)
         self._photometric_quality = _maybe(reconstruction.photometric_quality, self._reduce)
         self._albedo = _maybe(reconstruction.albedo, self._reduce)
+        self.albedo_rgb = _maybe(reconstruction.albedo_rgb, self._reduce)
         self.micrograph = _maybe(reconstruction.micrograph, self._reduce)
         self.saturated: BoolImage | None = None
         if reconstruction.saturated is not None:
@@ -209,6 +212,11 @@ class _Reduced:
             "Slant", _coloured(angle, (0.0, 80.0), "magma"), "slant (degrees)", "magma", 0.0, 80.0
         )
 
+    def albedo_map(self) -> ColourMap:
+        """Albedo in colour with the tone curve of a screen, one scale for all channels."""
+        assert self.albedo_rgb is not None  # asked for only where there is one
+        return ColourMap("Albedo", (255 * _toned(self.albedo_rgb)).astype(np.uint8))
+
     def micrograph_map(self) -> ColourMap:
         """Luminance with the tone curve of a screen."""
         return ColourMap("Micrograph", self._micrograph())
@@ -225,13 +233,15 @@ class _Reduced:
         return np.repeat((255 * _toned(self.micrograph))[..., None], 3, -1).astype(np.uint8)
 
     def oblique(self) -> Rgb:
-        """The surface seen at a tilt, in the grey of its albedo where it is known."""
+        """The surface seen at a tilt, in the colour or the grey of its albedo where it is known."""
         albedo = self._albedo if self._albedo is not None else self.micrograph
-        tone = np.full(self.height.shape, 0.8, np.float32)
-        if albedo is not None:
-            tone = (0.38 + 0.55 * _toned(albedo)).astype(np.float32)
+        tone = np.full((*self.height.shape, 1), 0.8, np.float32)
+        if self.albedo_rgb is not None:
+            tone = (0.38 + 0.55 * _toned(self.albedo_rgb)).astype(np.float32)
+        elif albedo is not None:
+            tone = (0.38 + 0.55 * _toned(albedo)).astype(np.float32)[..., None]
         warm = np.array([1.0, 0.975, 0.94], np.float32)
-        colour = np.clip(1.12 * (tone * self.light)[..., None] * warm, 0.0, 1.0)
+        colour = np.clip(1.12 * tone * self.light[..., None] * warm, 0.0, 1.0)
         colour = np.where(self.known[..., None], colour, np.float32(0.25)) ** np.float32(0.8)
         background = (0.955, 0.96, 0.968)
         low, high = self.span
