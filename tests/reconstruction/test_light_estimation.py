@@ -1,10 +1,15 @@
 """Lights from the photographs of the sample, against rendered scenes of known lights."""
 
+from pathlib import Path
+
+import cv2
 import numpy as np
 import pytest
+import yaml
 
 from reliefscope import axes
-from reliefscope.errors import InvalidInputError
+from reliefscope.errors import InvalidInputError, OutputExistsError
+from reliefscope.microscope import estimate_powers, import_photographs
 from reliefscope.models.light_field import LightField
 from reliefscope.reconstruction.light_estimation import estimate_lights, refine_powers
 from reliefscope.reconstruction.photometric import solve
@@ -84,30 +89,67 @@ def test_samples_that_do_not_tell_their_lights_are_refused() -> None:
         estimate_lights(np.zeros((6, 60, 80), np.float32), PIXEL_UM)
 
 
-def test_powers_that_are_off_by_a_fifth_are_found() -> None:
-    """Bumps of mixed albedo under 16 near LEDs, some in shadow, some with highlights."""
+def bumps(lights: LightField, pixel_um: float) -> np.ndarray:
+    """Photographs (16, H, W) of bumps of mixed albedo, some in shadow, some with highlights."""
     rng = np.random.default_rng(3)
-    shape, pixel_um = (96, 128), 8.0
+    shape = (96, 128)
     height = rng.normal(0, 1, shape)
     for _ in range(3):
         height = sum(np.roll(height, (i, j), (0, 1)) for i in (-2, 0, 2) for j in (-2, 0, 2)) / 4
     normals = axes.normals_from_height(height * 3.0, pixel_um).astype(np.float64)
-    positions = np.concatenate([ring(22.5, 30.0, 8), ring(45.0, 30.0, 8)])
-    actual = rng.uniform(0.8, 1.2, 16)
-    nominal = LightField.of_leds(positions, np.eye(16), beam_exponent=8.75)
     x_um, y_um = axes.pixel_grid_um(shape, pixel_um)
     points = np.stack(np.broadcast_arrays(x_um[None], y_um[:, None], 0.0), axis=-1)
-    field = nominal.scaled(actual).irradiance(points)
     albedo = rng.uniform(0.2, 0.8, shape)
-    images = albedo * np.maximum(np.einsum("lhwc,hwc->lhw", field, normals), 0.0)
+    images = albedo * np.maximum(
+        np.einsum("lhwc,hwc->lhw", lights.irradiance(points), normals), 0.0
+    )
     images += 0.3 * (rng.random(images.shape) < 0.03)
-    images = (images + rng.normal(0, 0.003, images.shape)).astype(np.float32)
-    factors = refine_powers(images, nominal, pixel_um)
-    expected = actual / np.exp(np.log(actual).mean())
+    return (images + rng.normal(0, 0.003, images.shape)).astype(np.float32)
+
+
+SIXTEEN = np.concatenate([ring(22.5, 30.0, 8), ring(45.0, 30.0, 8)])
+ACTUAL = np.random.default_rng(8).uniform(0.8, 1.2, 16)
+"""Places of lights, and powers that nothing tells but the photographs."""
+
+
+def test_powers_that_are_off_by_a_fifth_are_found() -> None:
+    nominal = LightField.of_leds(SIXTEEN, np.eye(16), beam_exponent=8.75)
+    images = bumps(nominal.scaled(ACTUAL), 8.0)
+    factors = refine_powers(images, nominal, 8.0)
+    expected = ACTUAL / np.exp(np.log(ACTUAL).mean())
     assert np.abs(factors / expected - 1).max() < 0.02
-    before = solve(images, nominal, pixel_um)
-    after = solve(images, nominal.scaled(factors), pixel_um)
+    before = solve(images, nominal, 8.0)
+    after = solve(images, nominal.scaled(factors), 8.0)
     assert np.median(after.residual) < 0.6 * np.median(before.residual)
+
+
+def test_powers_of_imported_photographs_go_back_into_their_description(tmp_path: Path) -> None:
+    images = bumps(LightField.of_leds(SIXTEEN, np.diag(ACTUAL)), 8.0)
+    for index, image in enumerate(images):
+        counts = np.clip(65535 * (0.1 + 0.4 * image), 0, 65535).astype(np.uint16)
+        assert cv2.imwrite(str(tmp_path / f"{index}.png"), counts)
+    description = tmp_path / "bumps.yml"
+    content = {
+        "pixel_um": 8.0,
+        "bit_depth": 16,
+        "black_level": 0.1,
+        "pattern": "{light}.png",
+        "lights": [{"position_mm": place.tolist()} for place in SIXTEEN],
+    }
+    description.write_text(yaml.safe_dump(content))
+    run = import_photographs(description, tmp_path / "equal")
+    powers = estimate_powers(run.path, out=tmp_path / "lights.yml")
+    assert powers.mean() == pytest.approx(1.0)
+    assert np.abs(powers / (ACTUAL / ACTUAL.mean()) - 1).max() < 0.02
+    with pytest.raises(OutputExistsError):
+        estimate_powers(run.path, out=tmp_path / "lights.yml")
+    description.write_text(yaml.safe_dump(content | {"lights": "lights.yml"}))
+    again = import_photographs(description, tmp_path / "weighed").data
+    np.testing.assert_allclose(again.powers, powers, atol=1e-5)
+    assert again.light_field.positions_mm == pytest.approx(SIXTEEN, abs=1e-4)
+    description.write_text(yaml.safe_dump(content | {"lights": [{} for _ in SIXTEEN]}))
+    with pytest.raises(InvalidInputError, match="direction of a light is not known"):
+        estimate_powers(import_photographs(description, tmp_path / "unknown").path)
 
 
 def test_powers_that_the_sample_does_not_tell_are_refused() -> None:

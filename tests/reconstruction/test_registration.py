@@ -4,11 +4,11 @@ import numpy as np
 import pytest
 from scipy import ndimage
 from tests.reconstruction import scenes
+from tests.reconstruction.shifting import shift_image
 
 from reliefscope.errors import InvalidInputError
 from reliefscope.reconstruction import registration
 from reliefscope.reconstruction.registration import Interpolation, to_reference, visibility
-from reliefscope.reconstruction.shifts import shift_image
 
 
 def test_sign_of_the_numeric_example() -> None:

@@ -7,6 +7,7 @@ import numpy as np
 import pytest
 from numpy.typing import NDArray
 from tests.reconstruction import scenes
+from tests.reconstruction.shifting import shift_image
 
 from reliefscope.jobs import Job
 from reliefscope.reconstruction import tiles
@@ -14,7 +15,6 @@ from reliefscope.reconstruction.mvs import match_views
 from reliefscope.reconstruction.shifts import (
     keys_weights,
     plan_shifts,
-    shift_image,
     split_shift,
     valid_span,
 )

@@ -29,7 +29,7 @@ from reliefscope.microscope.experiments import (
 from reliefscope.microscope.instruments import Instrument, default_devices, resolve_instrument
 from reliefscope.microscope.live import Microscope
 from reliefscope.microscope.places import fresh_path
-from reliefscope.microscope.probing import calibrate_lights, estimate_lights
+from reliefscope.microscope.probing import calibrate_lights, estimate_lights, estimate_powers
 from reliefscope.microscope.reconstructing import Outcome, reconstruct_run
 from reliefscope.microscope.stored import StoredRun, import_photographs, open_run
 
@@ -51,6 +51,7 @@ __all__ = [
     "default_devices",
     "demo",
     "estimate_lights",
+    "estimate_powers",
     "evaluate_run",
     "focus_pictures",
     "fresh_path",

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Iterable
 from pathlib import Path
 from typing import TYPE_CHECKING
 
@@ -111,6 +112,60 @@ def estimate_lights(
     return found
 
 
+def estimate_powers(
+    run: Path | str, *, out: Path | str | None = None, job: Job | None = None
+) -> NDArray[np.float64]:
+    """Brightness (L,) of the lights, of mean 1, from the view of a run nearest to s = 0; their directions are known.
+
+    Parameters
+    ----------
+    run:
+        Folder of the run; its sample must be matt, with slopes to all sides.
+    out:
+        YAML file to write; an import description takes it as ``lights: FILE``.
+    job:
+        Receives progress; may cancel.
+
+    Raises
+    ------
+    DatasetError
+        The run cannot be read.
+    InvalidInputError
+        A direction is not known, there are fewer than five lights, or the sample does not tell their powers;
+        nothing was written.
+    OutputExistsError
+        ``out`` exists.
+    """
+    from reliefscope.dataset import Run
+    from reliefscope.reconstruction.light_estimation import refine_powers
+
+    place = None if out is None else Path(out)
+    if place is not None and place.exists():
+        raise _exists(place)
+    opened = Run.open(run)
+    field, directions = opened.light_field, opened.lights
+    if field is None or directions is None:
+        raise InvalidInputError(
+            "The direction of a light is not known, so its power cannot be told from what slopes do.",
+            hint="Give `direction: [x, y, z]` for every light, or leave `--powers` out on a level sample.",
+        )
+    slopes = opened.views
+    nearest = 0 if slopes is None else int(np.argmin(np.linalg.norm(slopes, axis=1)))
+    images = opened.linear_stack(view=nearest, job=job)
+    powers = opened.powers * refine_powers(images, field, opened.pixel_um)
+    powers /= powers.mean()
+    if place is not None:
+        described = opened.spec.imported.lights if opened.spec.imported is not None else ()
+        places = [light.position_mm for light in described if light.position_mm is not None]
+        near = len(places) == len(powers)
+        rows = [
+            f"  - {'position_mm' if near else 'direction'}: {_numbers(vector)}\n    power: {power:.5f}\n"
+            for vector, power in zip(places if near else directions, powers, strict=True)
+        ]
+        _write_lights(place, f"Powers of the lights, estimated from {opened.name}", "".join(rows))
+    return powers
+
+
 def _given(path: Path) -> NDArray[np.float64]:
     listed = load_lights(path).lights
     known = [light.direction for light in listed if light.direction is not None]
@@ -130,7 +185,7 @@ def _write(lights: ProbedLights, place: Path, source: Path) -> None:
     _write_lights(place, f"Toward the lights, from {source.name}", rows)
 
 
-def _numbers(values: NDArray[np.float64]) -> str:
+def _numbers(values: Iterable[float]) -> str:
     return f"[{', '.join(f'{value:.5f}' for value in values)}]"
 
 

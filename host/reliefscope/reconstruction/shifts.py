@@ -16,7 +16,6 @@ from numba import njit
 from numpy.typing import ArrayLike, NDArray
 
 from reliefscope.axes import apparent_shift_px
-from reliefscope.units import FloatImage
 
 SNAP_PX = 1e-6
 """Shifts closer than this to a whole pixel are whole: rounding of ``z * s / pixel`` must not blur."""
@@ -138,29 +137,3 @@ def sample_block(source, top, left, row_weights, col_weights, offset, line, out)
         else:
             for c in range(cols):
                 target[c] = b0 * line[c] + b1 * line[c + 1] + b2 * line[c + 2] + b3 * line[c + 3]
-
-
-def shift_image(image: FloatImage, row_px: float, col_px: float) -> FloatImage:
-    """``image`` (H, W) sampled at ``(row + row_px, col + col_px)``; NaN where a sample is not valid."""
-    height, width = image.shape
-    rows, row_weights = split_shift(np.array([row_px]))
-    cols, col_weights = split_shift(np.array([col_px]))
-    row_first, row_stop = (int(v[0]) for v in valid_span(np.array([row_px]), height, 0))
-    col_first, col_stop = (int(v[0]) for v in valid_span(np.array([col_px]), width, 0))
-    out = np.full((height, width), np.nan, dtype=np.float32)
-    block = out[row_first:row_stop, col_first:col_stop]
-    if block.size:
-        padded = np.pad(np.asarray(image, dtype=np.float32), TAPS // 2, mode="edge")
-        sampled = np.empty(block.shape, dtype=np.float32)
-        sample_block(
-            padded,
-            row_first + int(rows[0]) + TAPS // 2,
-            col_first + int(cols[0]) + TAPS // 2,
-            row_weights[0],
-            col_weights[0],
-            np.float32(0.0),
-            np.empty(block.shape[1] + TAPS, dtype=np.float32),
-            sampled,
-        )
-        block[...] = sampled
-    return out
