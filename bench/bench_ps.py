@@ -16,6 +16,7 @@ import time
 from collections.abc import Callable
 
 import numpy as np
+from bench.figures import SIZES
 from numba import njit, prange
 from numpy.typing import NDArray
 
@@ -24,11 +25,6 @@ from reliefscope.models.light_field import LightField, beam_exponent
 from reliefscope.reconstruction import shadows
 from reliefscope.reconstruction.photometric import PsResult, solve, solve_lambert
 
-SIZES: dict[str, tuple[int, int]] = {
-    "0.36mp": (519, 694),
-    "1.44mp": (1038, 1388),
-    "5.8mp": (2076, 2776),
-}
 MAIN = "1.44mp"
 PIXEL_UM = 1.12
 
