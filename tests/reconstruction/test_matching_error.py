@@ -6,7 +6,9 @@ from tests.reconstruction import scenes
 from reliefscope.reconstruction.joint import match_jointly
 from reliefscope.reconstruction.matching_error import (
     BRIGHTNESS_EXPONENT,
+    GREATEST_CONTRAST,
     GREATEST_UM,
+    knows_nothing_um,
     roughness,
     standard_error,
 )
@@ -51,6 +53,11 @@ def test_dark_ground_beside_a_bright_surface_is_less_certain_than_the_surface() 
     assert np.allclose(sigma[:, :20], sigma[0, 0])
     assert np.allclose(sigma[:, 22] / sigma[0, 0], 3.0**BRIGHTNESS_EXPONENT, rtol=1e-4)
     assert np.allclose(sigma[:, 30:], sigma[0, 0])  # as dark as all around
+    brightness[:, 20:] = np.log(1e-6)
+    black = standard_error(height, peak, curvature, brightness, 0.05)
+    assert np.allclose(
+        black[:, 22] / black[0, 0], np.exp(BRIGHTNESS_EXPONENT * GREATEST_CONTRAST), rtol=1e-4
+    )
 
 
 def test_sigma_grows_with_noise_as_the_errors_do() -> None:
@@ -65,6 +72,19 @@ def test_sigma_grows_with_noise_as_the_errors_do() -> None:
         sigmas.append(np.median(found.sigma_um[INSIDE]))
     assert errors[1] > 1.5 * errors[0]
     assert sigmas[1] > 1.5 * sigmas[0]
+
+
+def test_a_height_that_is_no_better_than_a_guess_is_not_accepted() -> None:
+    draws = np.random.default_rng(1).uniform(-20.0, 40.0, 100_000)
+    assert abs(knows_nothing_um((-20.0, 40.0)) - draws.std()) < 0.1
+    views = np.random.default_rng(2).random((6, *SHAPE)).astype(np.float32)  # nothing in common
+    found = match_jointly(views, scenes.hexagon_slopes(6, 0.127), (-20.0, 40.0), 1.12, binning=1)
+    known = np.isfinite(found.height_um)
+    assert found.sigma_um is not None
+    guessed = found.sigma_um >= np.float32(knows_nothing_um((-20.0, 40.0)))
+    assert (guessed & known).sum() > 0.2 * known.sum()
+    assert not found.quality[guessed].any()
+    assert not found.accepted(0.01)[guessed].any()
 
 
 def test_sigma_is_great_at_a_step_and_where_nothing_is_seen() -> None:

@@ -13,7 +13,8 @@ What differs from the paper's search (:func:`~reliefscope.reconstruction.mvs.mat
 - Pixels are binned as far as the apertures' blur leaves nothing finer to match, and the candidate heights
   spaced by parallax on the binned grid.  The peak is refined by a parabola.
 
-Quality keeps its meaning: greatest score minus the median over all candidate heights.  Validity at the
+Quality keeps its meaning: greatest score minus the median over all candidate heights; it is 0 where the
+standard error is no less than that of a guess.  Validity at the
 borders is that of :mod:`~reliefscope.reconstruction.mvs`, except that a view counts for a small tile as a
 whole.
 """
@@ -33,7 +34,7 @@ from reliefscope.reconstruction.joint_kernels import expand, window_variance
 from reliefscope.reconstruction.joint_occlusion import search_behind_steps
 from reliefscope.reconstruction.joint_search import SOFTNESS, Channels, JointSearch, Peaks
 from reliefscope.reconstruction.matcher import Tile
-from reliefscope.reconstruction.matching_error import standard_error
+from reliefscope.reconstruction.matching_error import knows_nothing_um, standard_error
 from reliefscope.reconstruction.mvs import MvsResult, check_baseline, check_views
 from reliefscope.reconstruction.shifts import (
     TAPS,
@@ -54,7 +55,7 @@ LARGE_WINDOW_ALONE = 9
 """Window that is averaged over where there is one channel: fewer samples vote."""
 STEP_PX = 0.5
 """Parallax, in binned pixels and against the mean view, between neighbouring candidate heights."""
-NOISE_SHARE = 0.005
+NOISE_SHARE = 0.002
 """Variance added to each window's in the denominator, as a share of the median window variance."""
 DARK_SHARE = 0.05
 """Intensity added before the logarithm, as a share of the median intensity."""
@@ -209,7 +210,9 @@ def match_jointly(
     quality = _expanded(peaks.quality, shape, binning, math.inf)
     sigma_um = _expanded(sigma_um, shape, binning, math.inf)
     missing = np.isnan(height_um)
-    quality[missing] = 0.0
+    greatest_um = np.float32(knows_nothing_um(range_um))
+    quality[missing | (sigma_um >= greatest_um)] = 0.0
+    np.minimum(sigma_um, greatest_um, out=sigma_um)
     sigma_um[missing] = np.inf
     peak = _expanded(peaks.score, shape, binning, math.inf)
     return MvsResult(height_um, quality, peak, sigma_um)

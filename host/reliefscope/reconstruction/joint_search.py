@@ -15,7 +15,7 @@ from reliefscope.reconstruction.ncc_kernels import pick_heights
 from reliefscope.reconstruction.shifts import ShiftPlan, plan_shifts, valid_span
 from reliefscope.units import BoolImage, FloatImage
 
-SOFTNESS = 0.05
+SOFTNESS = 0.04
 """Added to what the views of a small window do not share before the harmonic mean
 (:mod:`~reliefscope.reconstruction.joint_kernels`): below it, differences are noise."""
 CONTRAST = 0.2

@@ -11,23 +11,27 @@ a product of powers of them, fitted to the true errors of the simulated instrume
 
 from __future__ import annotations
 
+import math
+
 import cv2
 import numpy as np
 
 from reliefscope.units import FloatImage
 
-SCALE = 0.11
+SCALE = 0.1
 WIDTH_EXPONENT = 1.0
 ROUGHNESS_EXPONENTS = (0.4, 0.4)
-BRIGHTNESS_EXPONENT = 1.15
+BRIGHTNESS_EXPONENT = 1.5
 """Standard error in um per um of width, of roughness near and far, and by the ratio of intensities, to these powers."""
+GREATEST_CONTRAST = 1.5
+"""Logarithm of that ratio beyond which it tells no more: paint can be darker than any gap."""
 BRIGHT_WINDOW = 11
 """Window, in samples, in which the brightest place is looked for: as far as the windows of matching reach."""
 WINDOWS = (5, 9)
 """Windows of the roughness in samples: about that of matching, and one that sees a step from either side."""
 LEAST_ROUGHNESS_UM = 0.05
-GREATEST_UM = 50.0
-"""Standard error at which nothing is known."""
+GREATEST_UM = 1000.0
+"""Standard error where nothing tells; finite, so that it can be interpolated."""
 
 
 def roughness(height_um: FloatImage, window: int) -> FloatImage:
@@ -48,6 +52,11 @@ def brightest(brightness: FloatImage) -> FloatImage:
     """Greatest mean of 3 x 3 samples (H, W) in :data:`BRIGHT_WINDOW`."""
     window = np.ones((BRIGHT_WINDOW, BRIGHT_WINDOW), np.uint8)
     return np.asarray(cv2.dilate(cv2.blur(brightness, (3, 3)), window), dtype=np.float32)
+
+
+def knows_nothing_um(range_um: tuple[float, float]) -> float:
+    """Standard error of a height that is guessed: that of an even distribution over the range."""
+    return (range_um[1] - range_um[0]) / math.sqrt(12.0)
 
 
 def standard_error(
@@ -84,7 +93,7 @@ def standard_error(
             * width**WIDTH_EXPONENT
             * near ** ROUGHNESS_EXPONENTS[0]
             * far ** ROUGHNESS_EXPONENTS[1]
-            * np.exp(BRIGHTNESS_EXPONENT * (brightest(light) - light))
+            * np.exp(BRIGHTNESS_EXPONENT * np.minimum(brightest(light) - light, GREATEST_CONTRAST))
         )
     sigma[~known] = GREATEST_UM
     return np.asarray(np.fmin(sigma, GREATEST_UM), dtype=np.float32)

@@ -42,7 +42,7 @@ class MvsResult:
     height_um: FloatImage
     """NaN where missing."""
     quality: FloatImage
-    """Greatest score minus the median over the candidate heights; 0 where missing."""
+    """Greatest score minus the median over the candidate heights; 0 where missing or no better than a guess."""
     peak: FloatImage
     """Greatest mean NCC; NaN where missing."""
     sigma_um: FloatImage | None = None
