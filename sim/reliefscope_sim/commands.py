@@ -21,6 +21,10 @@ if TYPE_CHECKING:
     from reliefscope.models.base import StrictModel
 
 JSON_SCHEMA_VERSION = 1
+DEFAULT_URL = "sim://benchtop?scene=fiducial"
+SampleUrl = Annotated[
+    str, typer.Argument(metavar="URL", help="Instrument whose sample is meant, sim://NAME?...")
+]
 
 app = typer.Typer(
     name="sim",
@@ -34,7 +38,7 @@ app = typer.Typer(
 def serve(
     url: Annotated[
         str, typer.Argument(metavar="URL", help="Instrument to serve, sim://NAME?...")
-    ] = "sim://benchtop?scene=fiducial",
+    ] = DEFAULT_URL,
     host: Annotated[
         str, typer.Option("--host", help="Interface to listen on; nothing asks for a password.")
     ] = "127.0.0.1",
@@ -144,9 +148,7 @@ def z_stack(
     out: Annotated[
         Path, typer.Option("--out", "-o", metavar="FOLDER", help="New folder for the images.")
     ],
-    url: Annotated[
-        str, typer.Argument(metavar="URL", help="Instrument whose sample is meant, sim://NAME?...")
-    ] = "sim://benchtop?scene=fiducial",
+    url: SampleUrl = DEFAULT_URL,
     field_um: Annotated[
         float | None,
         typer.Option(
@@ -177,9 +179,7 @@ def truth(
     out: Annotated[
         Path, typer.Option("--out", "-o", metavar="FILE.npz", help="New file for the maps.")
     ],
-    url: Annotated[
-        str, typer.Argument(metavar="URL", help="Instrument whose sample is meant, sim://NAME?...")
-    ] = "sim://benchtop?scene=fiducial",
+    url: SampleUrl = DEFAULT_URL,
     grains: Annotated[
         Path | None,
         typer.Option("--grains", metavar="FILE.csv", help="New file for a table of the grains."),

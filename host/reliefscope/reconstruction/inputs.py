@@ -174,9 +174,14 @@ def check_inputs(frames: Frames, settings: Settings) -> Inputs:
     )
 
 
+def _way_out(use: str, possible: bool) -> str:
+    """End of a hint: the other of the two methods, where the run allows for it."""
+    return f", or reconstruct with `use: {use}` in a settings file" if possible else ""
+
+
 def _checked_slopes(frames: Frames) -> NDArray[np.float64]:
     possible = len(frames.light_names) > 2 and frames.lights is not None
-    way_out = ", or reconstruct with `use: photometric` in a settings file" if possible else ""
+    way_out = _way_out("photometric", possible)
     slopes = frames.views
     if slopes is None:
         raise InvalidInputError(
@@ -192,7 +197,7 @@ def _checked_slopes(frames: Frames) -> NDArray[np.float64]:
 
 def _checked_directions(frames: Frames) -> NDArray[np.float64]:
     possible = len(frames.view_names) > 1 and frames.views is not None
-    way_out = ", or reconstruct with `use: stereo` in a settings file" if possible else ""
+    way_out = _way_out("stereo", possible)
     directions = frames.lights
     if directions is None:
         raise InvalidInputError(

@@ -17,7 +17,7 @@ smoothing fills and cleans the heights.
 
 from __future__ import annotations
 
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 
 import numpy as np
 from numpy.typing import NDArray
@@ -31,6 +31,7 @@ from reliefscope.reconstruction import (
     registration,
     shadows,
 )
+from reliefscope.reconstruction.assembly import assembled
 from reliefscope.reconstruction.channel_means import ChannelMeans, read_channel_means
 from reliefscope.reconstruction.colour import colour_albedo
 from reliefscope.reconstruction.filling import fill_heights
@@ -39,7 +40,7 @@ from reliefscope.reconstruction.mvs import MvsResult
 from reliefscope.reconstruction.result import Reconstruction
 from reliefscope.reconstruction.saturation import blank_saturated, saturated_points
 from reliefscope.reconstruction.self_check import SelfCheck, check_run
-from reliefscope.reconstruction.stage_clock import StageClock, peak_memory_mb
+from reliefscope.reconstruction.stage_clock import StageClock
 from reliefscope.reconstruction.view_average import ViewAverage
 from reliefscope.reconstruction.view_frames import unsaturated_views
 from reliefscope.units import BoolImage, FloatImage
@@ -109,32 +110,26 @@ def reconstruct_jointly(
     albedo_rgb = None
     if shading is not None and inputs.settings.joint.colour and inputs.frames.in_colour:
         albedo_rgb = _in_colour(inputs, gains, height if stereo else None, shading.solved, clock)
-    if inputs.mask is not None:
-        height = np.where(inputs.mask, height, np.float32(np.nan))
     solved = shading.solved if shading else None
-    return Reconstruction(
+    result = assembled(
+        inputs,
+        clock,
         height_um=height,
-        pixel_um=inputs.frames.pixel_um,
-        settings=inputs.settings,
         kind=kind,
-        sigma_um=sigma,
-        stereo_height_um=stereo.matched.height_um if stereo else None,
-        stereo_quality=stereo.matched.quality if stereo else None,
-        stereo_accepted=stereo.accepted if stereo else None,
-        normals=solved.normals if solved else None,
-        normal_sigma_rad=solved.sigma_rad if solved else None,
-        albedo=solved.albedo if solved else None,
-        albedo_rgb=albedo_rgb,
-        photometric_quality=solved.quality if solved else None,
-        lights_used=solved.lights_used if solved else None,
-        residual=solved.residual if solved else None,
+        stereo=stereo.matched if stereo else None,
+        solved=solved,
         micrograph=micrograph,
         saturated=saturated,
-        valid=inputs.mask,
-        self_check=check,
+        check=check,
         figures=figures,
-        timings_s=clock.timings_s,
-        peak_memory_mb=peak_memory_mb(),
+    )
+    return replace(
+        result,
+        sigma_um=sigma,
+        stereo_accepted=stereo.accepted if stereo else None,
+        normal_sigma_rad=solved.sigma_rad if solved else None,
+        albedo_rgb=albedo_rgb,
+        lights_used=solved.lights_used if solved else None,
     )
 
 

@@ -12,18 +12,21 @@ With one view there is no stereo, and the normals are integrated; with one light
 
 from __future__ import annotations
 
+from dataclasses import replace
+
 import numpy as np
 from numba import njit, prange
 from numpy.typing import NDArray
 
 from reliefscope.errors import InvalidInputError
 from reliefscope.reconstruction import fusion, mvs, photometric, registration, smoothing
+from reliefscope.reconstruction.assembly import assembled
 from reliefscope.reconstruction.channel_means import ChannelMeans, read_channel_means
 from reliefscope.reconstruction.inputs import Inputs, refuse_undefined
 from reliefscope.reconstruction.result import Reconstruction
 from reliefscope.reconstruction.saturation import saturated_points
 from reliefscope.reconstruction.self_check import SelfCheck, check_run
-from reliefscope.reconstruction.stage_clock import StageClock, peak_memory_mb
+from reliefscope.reconstruction.stage_clock import StageClock
 from reliefscope.units import FloatImage
 
 
@@ -31,7 +34,7 @@ def reconstruct_by_paper(
     inputs: Inputs, clock: StageClock, micrograph: FloatImage | None
 ) -> Reconstruction:
     """Surface, normals and albedo; see :func:`reliefscope.reconstruction.pipeline.reconstruct`."""
-    run, settings = inputs.frames, inputs.settings.paper
+    settings = inputs.settings.paper
     figures: dict[str, float] = {}
     stereo: mvs.MvsResult | None = None
     smoothed: FloatImage | None = None
@@ -59,28 +62,19 @@ def reconstruct_by_paper(
     saturated = saturated_points(inputs, smoothed, clock)
     with clock.timed("fuse"):
         height, kind = _surface(inputs, stereo, smoothed, solved, clock, figures)
-    if inputs.mask is not None:
-        height = np.where(inputs.mask, height, np.float32(np.nan))
-    return Reconstruction(
+    result = assembled(
+        inputs,
+        clock,
         height_um=height,
-        pixel_um=run.pixel_um,
-        settings=inputs.settings,
         kind=kind,
-        stereo_height_um=stereo.height_um if stereo else None,
-        stereo_quality=stereo.quality if stereo else None,
-        smoothed_height_um=smoothed,
-        normals=solved.normals if solved else None,
-        albedo=solved.albedo if solved else None,
-        photometric_quality=solved.quality if solved else None,
-        residual=solved.residual if solved else None,
+        stereo=stereo,
+        solved=solved,
         micrograph=micrograph,
         saturated=saturated,
-        valid=inputs.mask,
-        self_check=check,
+        check=check,
         figures=figures,
-        timings_s=clock.timings_s,
-        peak_memory_mb=peak_memory_mb(),
     )
+    return replace(result, smoothed_height_um=smoothed)
 
 
 def _match(inputs: Inputs, views: FloatImage, clock: StageClock) -> mvs.MvsResult:

@@ -6,7 +6,6 @@ from collections.abc import Iterable
 from dataclasses import dataclass
 from pathlib import Path
 from typing import Any
-from urllib.parse import urlencode
 
 import cv2
 import numpy as np
@@ -14,8 +13,9 @@ import numpy as np
 from reliefscope.dataset import Run
 from reliefscope.errors import InvalidInputError
 from reliefscope.jobs import Job, ensure_job
+from reliefscope.microscope.demonstration import demo_url
 from reliefscope.microscope.experiments.runs import result_of, run_of
-from reliefscope.microscope.instruments import DEFAULT_PROFILE, DEMO_SCHEME
+from reliefscope.microscope.instruments import DEFAULT_PROFILE
 from reliefscope.microscope.places import fresh_path
 from reliefscope.microscope.reconstructing import DEFAULT_METHOD
 from reliefscope.report.simulant import simulant_figure
@@ -91,7 +91,8 @@ def simulant_figures(
     folder = fresh_path("simulants") if out is None else Path(out)
     figures = []
     for name in simulants:
-        run = run_of(_url(name, size, seed), folder / name, SIMULANTS[name], job)
+        url = f"{demo_url(DEFAULT_PROFILE, 'regolith', None, seed, size)}&scene.simulant={name}"
+        run = run_of(url, folder / name, SIMULANTS[name], job)
         result = result_of(run, method, job)
         figure = simulant_figure(
             result, _colours(run.data), SIMULANTS[name], folder / f"{name}.jpg"
@@ -112,10 +113,3 @@ def _colours(run: Run) -> FloatImage | None:
     saturated = (run.raw("centre", None, None) >= full).astype(np.uint8)
     colours[cv2.dilate(saturated, np.ones((5, 5), np.uint8)) > 0] = colours.max()
     return colours
-
-
-def _url(name: str, size: tuple[int, int] | None, seed: int) -> str:
-    options: dict[str, object] = {"scene": "regolith", "scene.simulant": name, "seed": seed}
-    if size is not None:
-        options["size"] = f"{size[0]}x{size[1]}"
-    return f"{DEMO_SCHEME}://{DEFAULT_PROFILE}?{urlencode(options)}"
