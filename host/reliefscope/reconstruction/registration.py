@@ -12,6 +12,7 @@ from __future__ import annotations
 import math
 from typing import Literal
 
+import cv2
 import numpy as np
 from numba import njit
 from numpy.typing import ArrayLike, NDArray
@@ -107,19 +108,18 @@ def visibility(
     """Whether each point of the surface is seen in each view (K, H, W).
 
     The ray from the point toward the aperture is followed in steps of at most one pixel until it is above
-    the highest part of the surface; the point is hidden where the surface (linear between pixels) rises
-    more than ``tolerance_um`` above the ray.  Missing heights hide nothing and are not visible.
+    the highest part of the surface that it can come to; the point is hidden where the surface (linear between
+    pixels) rises more than ``tolerance_um`` above the ray.  Missing heights hide nothing and are not visible.
     """
     s = np.asarray(slopes, dtype=np.float64)
     height, moves = _checked((len(s), *height_um.shape), slopes, height_um, pixel_um)
     mask = np.empty((len(s), *height.shape), dtype=np.bool_)
-    known = np.isfinite(height)
-    top_um = float(height[known].max()) if known.any() else 0.0
+    ceiling = _ceiling(height, moves, telecentricity_per_um)
 
     def work(item: tuple[int, tuple[int, int]]) -> None:
         k, (first, stop) = item
         trace_visibility(
-            height, *moves[k], telecentricity_per_um, top_um, tolerance_um, first, stop, mask[k]
+            height, *moves[k], telecentricity_per_um, ceiling, tolerance_um, first, stop, mask[k]
         )
 
     items = [(k, rows) for k in range(len(s)) for rows in _strips(height)]
@@ -195,7 +195,7 @@ def trace_visibility(
     cols_per_um: float,
     rows_per_um: float,
     telecentricity_per_um: float,
-    top_um: float,
+    ceiling: FloatImage,
     tolerance_um: float,
     first: int,
     stop: int,
@@ -203,13 +203,14 @@ def trace_visibility(
 ) -> None:
     """Rows ``first`` to ``stop`` of ``out``: no surface above the ray that rises toward the aperture.
 
-    The ray moves against the parallax: by ``-cols_per_um, -rows_per_um`` pixels per um of rise.
+    The ray moves against the parallax: by ``-cols_per_um, -rows_per_um`` pixels per um of rise.  ``ceiling`` (H, W)
+    is a height that no surface within its reach exceeds.
     """
     rows, cols = height.shape
     middle_row, middle_col = 0.5 * (rows - 1), 0.5 * (cols - 1)
     for r in range(first, stop):
         for c in range(cols):
-            z = height[r, c]
+            z, top = height[r, c], ceiling[r, c]
             bend = 1.0 + z * telecentricity_per_um
             along_um = (cols_per_um - telecentricity_per_um * (c - middle_col)) / bend
             down_um = (rows_per_um - telecentricity_per_um * (r - middle_row)) / bend
@@ -218,7 +219,7 @@ def trace_visibility(
             if seen and travel > 0.0:
                 step_um = 1.0 / travel
                 rise = step_um
-                while z + rise + tolerance_um < top_um:
+                while z + rise + tolerance_um < top:
                     y = r - rise * down_um
                     x = c - rise * along_um
                     if not (y >= 0.0 and y <= rows - 1 and x >= 0.0 and x <= cols - 1):
@@ -236,6 +237,23 @@ def trace_visibility(
                         break
                     rise += step_um
             out[r, c] = seen
+
+
+def _ceiling(
+    height: FloatImage, moves: list[tuple[float, float]], telecentricity_per_um: float
+) -> FloatImage:
+    """Greatest height (H, W) that the ray of any view can come to before it is above the whole surface."""
+    known = np.isfinite(height)
+    if not known.any():
+        return height
+    low, high = float(height[known].min()), float(height[known].max())
+    bend = 1.0 - abs(telecentricity_per_um) * max(abs(low), abs(high))
+    steepest = max(abs(move) for pair in moves for move in pair)
+    steepest += abs(telecentricity_per_um) * max(height.shape) / 2
+    reach = math.ceil((high - low) * steepest / bend) + 1  # the surface is linear between pixels
+    window = np.ones((2 * min(reach, max(height.shape)) + 1,) * 2, np.uint8)
+    filled = np.where(known, height, np.float32(low))
+    return np.asarray(cv2.dilate(filled, window), np.float32)
 
 
 def _strips(height: NDArray[np.float32]) -> list[tuple[int, int]]:
