@@ -68,7 +68,7 @@ BIAS_PRIOR = 0.02
 LEAST_NZ = 0.1
 """Bound of n_z: steeper slopes (84 degrees) are not measured."""
 LEAST_SIGMA_UM = 0.05
-LEAST_SIGMA_RAD, GREATEST_SIGMA_RAD = 0.02, 0.3
+LEAST_SIGMA_RAD, GREATEST_SIGMA_RAD = 0.02, 0.6
 """Bounds of the standard errors: what calibration of lights and pixels leaves; what any shading still tells."""
 WEAKEST_HOLD = 1e-8
 """Weight per um^2 that ties a pixel without a height to the median height."""

@@ -48,7 +48,9 @@ DROPPED_DARK_SHARE = 0.2
 """Share of the lights, the darkest, that is set aside at first where no mask tells cast shadows."""
 KEPT_AT_LEAST = 6
 """Lights that are never set aside: twice the number of unknowns."""
-REWEIGHTINGS = 3
+REWEIGHTINGS = 2
+"""Rounds of Cauchy's weights.  A third changes median errors of normals by less than 0.4 degrees for the better, and by
+up to 0.8 (level glossy ground) for the worse."""
 SIGMA_PER_MISFIT = 0.6
 """Expected error of a normal, in rad, over the relative deviation of its intensities from Lambert's law."""
 SIGMA_PER_CHANGE = 3.95
@@ -56,6 +58,8 @@ SIGMA_PER_CHANGE = 3.95
 frames are a little off, and across an edge normals mix."""
 SIGMA_PER_SLANT = 0.022
 """Expected error over the sine of twice the slant: light from neighbouring surfaces flattens, gloss steepens."""
+SIGMA_PER_ASIDE = 0.25
+"""Expected error over the same times the share of the lights that are set aside: those left have gloss, too."""
 SIGMA_LEAST_RAD = 0.005
 _CHANGE_BLUR_PX = 2.0
 _FULL_SCALE_PIXELS = 5000
@@ -225,6 +229,7 @@ def solve(
         KEPT_AT_LEAST,
         REWEIGHTINGS,
         TOLERATED_RESIDUAL,
+        SIGMA_PER_ASIDE / SIGMA_PER_MISFIT,
         result.normals,
         result.albedo,
         result.residual,

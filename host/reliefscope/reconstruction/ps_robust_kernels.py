@@ -214,6 +214,29 @@ def _take_off(shade: FloatImage, count: int, g: FloatImage) -> None:
         g[2, i] = max(g[2, i] - trust * passed, _LEFT_UPRIGHT * g[2, i])
 
 
+@njit(cache=True, error_model="numpy", fastmath=FLAGS)
+def _doubt_gloss(
+    g: FloatImage,
+    used: FloatImage,
+    arrived: FloatImage,
+    per_aside: float,
+    count: int,
+    misfit: FloatImage,
+) -> None:
+    """Add to ``misfit`` (B,) what gloss may tilt: where lights were set aside, those left have some, too.
+
+    It grows with the share set aside and the sine of twice the slant, at most that of 45 degrees.
+    """
+    one = np.float32(1.0)
+    for i in range(count):
+        level = g[0, i] * g[0, i] + g[1, i] * g[1, i]
+        upright = g[2, i] * g[2, i]
+        squared = level + upright
+        sine = one if level > upright else np.float32(2.0) * np.sqrt(level * upright) / squared
+        tilt = np.float32(per_aside) * max(one - used[i] / arrived[i], np.float32(0.0)) * sine
+        misfit[i] = np.sqrt(misfit[i] * misfit[i] + tilt * tilt)
+
+
 @njit(cache=True, parallel=True, error_model="numpy", fastmath=FLAGS)
 def solve_robust(
     images: FloatImage,
@@ -225,6 +248,7 @@ def solve_robust(
     at_least: int,
     rounds: int,
     floor: float,
+    per_aside: float,
     normals: FloatImage,
     albedo: FloatImage,
     residuals: FloatImage,
@@ -236,11 +260,12 @@ def solve_robust(
     ``images`` (L, H, W) times ``gains`` (L,) are the intensities, NaN is missing; ``fields`` (L, KR, KC, 3) the
     irradiance vectors at the knots; ``lit`` (L, H, W) the mask, False in cast shadow.  ``bright``, ``dim`` and
     ``at_least``: the shares of the brightest and darkest that are set aside, and how many are kept at least;
-    ``rounds`` of reweighting; ``floor``: residual, as a fraction of the albedo, that is always tolerated.
+    ``rounds`` of reweighting; ``floor``: residual, as a fraction of the albedo, that is always tolerated;
+    ``per_aside``: misfit of a slant of 45 degrees if all lights were set aside.
 
     Outputs ``normals`` (H, W, 3), the rest (H, W): ``residuals`` root mean square over the weights, ``misfit``
-    standard deviation of the residuals over the albedo, more where the lights that count are badly spread,
-    ``used`` sum of the weights.
+    standard deviation of the residuals over the albedo, more where the lights that count are badly spread or a slope
+    may be glossy, ``used`` sum of the weights.
     """
     lights, height, width = images.shape
     one = np.float32(1.0)
@@ -260,6 +285,7 @@ def solve_robust(
         total = np.empty(BLOCK, np.float32)
         scale = np.empty(BLOCK, np.float32)
         shade = np.empty((2, BLOCK), np.float32)
+        arrived = np.empty(BLOCK, np.float32)
         for row in range(strip * _STRIP, min((strip + 1) * _STRIP, height)):
             for block in range((width + BLOCK - 1) // BLOCK):
                 first = block * BLOCK
@@ -289,6 +315,7 @@ def solve_robust(
                         total[i] += usable[light, i]
                 for i in range(count):
                     shade[0, i] = zero if counts[i] < np.float32(FEWEST_LIGHTS) else shade[0, i]
+                arrived[:] = total
                 _choose(values, usable, apart, total, bright, dim, at_least, count, kept)
                 weights[:] = kept
                 _solve(values, weights, e0, de, count, sums, g)
@@ -333,6 +360,8 @@ def solve_robust(
                     g[2, i] = g[2, i] if solved else np.float32(np.nan)
                     total[i] = np.sqrt(total[i] / counts[i])
                 _take_off(shade, count, g)
+                line = misfit[row, first : first + count]
+                _doubt_gloss(g, counts, arrived, per_aside, count, line)
                 store(g, total, row, first, count, normals, albedo, residuals)
 
 
