@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Callable
+from functools import cached_property
 
 import numpy as np
 
@@ -69,7 +70,7 @@ class Radiometry:
         DatasetError
             If the plan has dark or leakage frames that were not taken.
         """
-        dark = self._averaged(("dark", None, None))
+        dark = self._dark
         total = dark
         if kind == "leakage":
             return total
@@ -90,6 +91,11 @@ class Radiometry:
         if kind == "centre" and self._plan is not None:
             return _shares(self._plan)
         return []
+
+    @cached_property
+    def _dark(self) -> FloatImage | None:
+        """Averaged dark frame, read once: it serves every light."""
+        return self._averaged(("dark", None, None))
 
     def _averaged(self, key: FrameKey) -> FloatImage | None:
         if key not in self._planned:
