@@ -19,7 +19,7 @@ from reliefscope.units import FloatArray
 Vector = NDArray[np.float32]
 Index = NDArray[np.int32]
 
-CHUNK = 65536
+CHUNK = 32768
 """Nodes to a chunk."""
 WORST = 4.0
 """Two nodes of stiffness a and b may become a cluster where a b / (a + b) is at most this multiple of their spring: the

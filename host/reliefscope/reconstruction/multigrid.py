@@ -44,7 +44,7 @@ _ENOUGH = 0.25
 """Share of the residual at which the second step on a level is left out."""
 _REGULAR = 1e-6
 """Share of the diagonal that is added to it on the coarsest level, where it may be that nothing holds a network."""
-_SHARED = 60_000
+_SHARED = 100_000
 """Nodes from which work is worth several threads: on fewer they wait for each other longer than they work."""
 
 
