@@ -20,7 +20,7 @@ from reliefscope.dataset.layout import Layout
 from reliefscope.dataset.lock import RunLock
 from reliefscope.dataset.radiometry import Radiometry
 from reliefscope.dataset.records import JOURNAL_FILE, FrameKey, Journal, JournalEntry, key_text
-from reliefscope.dataset.sensor_image import colour, luminance
+from reliefscope.dataset.sensor_image import SATURATED_SHARE, colour, luminance
 from reliefscope.dataset.spec import ImportedLight, RunSpec, read_spec, resume_command_of
 from reliefscope.dataset.verify import VerifyReport, verify_frames
 from reliefscope.dataset.writer import PARTIAL_SUFFIX, partial_path
@@ -39,10 +39,6 @@ MASK_FILE = "mask.png"
 PREFETCH_THREADS = 2
 PREFETCH_FRAMES = 16
 """Frames read ahead: the threads go on while whoever reads works on a view."""
-MONO_SATURATION = 0.995
-MOSAIC_SATURATION = 0.75
-"""Share of full scale from which luminance counts as saturated.  On simulated metal, 97 to 99 % of the counts at full
-scale of a mosaic lie in pixels above it, and practically all of these pixels are next to such a count."""
 
 
 class IncompleteRunWarning(UserWarning):
@@ -280,7 +276,7 @@ class Run:
 
         (H, W), or one for all pixels.  On a mosaic one colour saturates before the luminance does.
         """
-        share = MOSAIC_SATURATION if self.spec.frame.sensor == "bayer_rggb" else MONO_SATURATION
+        share = SATURATED_SHARE[self.spec.frame.sensor]
         gain = share * self._radiometry.gain(self.record("view", view, light))
         offset = self._offset("view", light)
         if offset is None:

@@ -17,6 +17,9 @@ from numpy.typing import NDArray
 from reliefscope.models.instrument import Sensor
 from reliefscope.units import FloatImage, RawImage
 
+SATURATED_SHARE: dict[Sensor, float] = {"mono": 0.995, "bayer_rggb": 0.75}
+"""Share of full scale from which luminance counts as saturated.  On simulated metal, 97 to 99 % of the counts at full
+scale of a mosaic lie in pixels above it, and practically all of these pixels are next to such a count."""
 BINOMIAL = np.array([0.25, 0.5, 0.25], dtype=np.float32)
 _RED_BLUE_TENT = np.array([[1, 2, 1], [2, 4, 2], [1, 2, 1]], dtype=np.float32) / 4
 _GREEN_TENT = np.array([[0, 1, 0], [1, 4, 1], [0, 1, 0]], dtype=np.float32) / 4

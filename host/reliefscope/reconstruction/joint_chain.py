@@ -36,6 +36,7 @@ from reliefscope.reconstruction.channel_means import ChannelMeans, read_channel_
 from reliefscope.reconstruction.colour import colour_albedo
 from reliefscope.reconstruction.filling import fill_heights
 from reliefscope.reconstruction.inputs import Inputs, refuse_undefined
+from reliefscope.reconstruction.matching_error import knows_nothing_um
 from reliefscope.reconstruction.mvs import MvsResult
 from reliefscope.reconstruction.result import Reconstruction
 from reliefscope.reconstruction.saturation import blank_saturated, saturated_points
@@ -291,4 +292,4 @@ def _surface(
         )
     figures["solver_iterations"] = fused.iterations
     figures["solver_error_um"] = fused.error_um
-    return fused.height_um, fused.sigma_um, "fused"
+    return fused.height_um, np.fmin(fused.sigma_um, knows_nothing_um(inputs.range_um)), "fused"

@@ -193,17 +193,23 @@ def check_run(
             light_names=inputs.frames.light_names,
             lit=cast_shadows.lit(stereo_height_um, lights, pixel_um) if lit is None else lit,
             pixel_um=pixel_um,
-            error_share=_error_share(stereo),
+            error_share=error_share(stereo),
         )
 
 
-def _error_share(stereo: MvsResult) -> float:
-    """Variance of the heights' errors over that of the heights; 0 where matching does not tell errors."""
+def error_share(stereo: MvsResult) -> float:
+    """Variance of the heights' errors over that of the heights; 0 where matching does not tell errors.
+
+    The square of their mean standard error: the mean of the squares would be that of the few worst.
+    """
     if stereo.sigma_um is None:
         return 0.0
-    known = np.isfinite(stereo.height_um) & np.isfinite(stereo.sigma_um)
+    known = np.isfinite(stereo.height_um) & np.isfinite(stereo.sigma_um) & (stereo.quality > 0.0)
+    if not known.any():
+        return 0.0
     variance = float(np.var(stereo.height_um[known], dtype=np.float64))
-    return float(np.median(stereo.sigma_um[known])) ** 2 / variance if variance > 0.0 else 0.0
+    error = float(np.mean(stereo.sigma_um[known], dtype=np.float64))
+    return error**2 / variance if variance > 0.0 else 0.0
 
 
 def _hold_out(
