@@ -8,8 +8,8 @@ the way to it, one that is cut off gets the error of its own height, and nothing
 which.
 
 Errors are not independent: stereo and slopes are wrong in the same way over whole neighbourhoods.  The stated
-error is therefore ``GAIN * s^EXPONENT`` of the sampled deviation s, both in pixels.  The two constants were set on the
-simulated fiducial and regolith (docs/explanation/default-method.md has the figures, and those of other scenes).
+error is therefore ``GAIN * s^EXPONENT`` of the sampled deviation s, both in pixels.  The two constants were set on
+simulated runs of the fiducial and of regolith (docs/explanation/fusion.md has the figures, and those of other scenes).
 """
 
 from __future__ import annotations
@@ -29,7 +29,7 @@ AVERAGED_PX = 1.0
 """Standard deviation of the window over which the variance is averaged."""
 ITERATIONS = 3
 """Of the solver, per sample: enough for a few per cent of the deviation."""
-GAIN, EXPONENT = 3.0, 1.15
+GAIN, EXPONENT = 1.5, 0.9
 """Stated error from the sampled deviation, both in pixels."""
 LEAST_PX = 0.04
 """Least stated error, in pixels: no more is claimed whatever the weights."""
