@@ -1,6 +1,7 @@
 """Standard error of matched heights: roughness against least squares, and what widens it."""
 
 import numpy as np
+import pytest
 from tests.reconstruction import scenes
 
 from reliefscope.reconstruction.joint import match_jointly
@@ -8,6 +9,7 @@ from reliefscope.reconstruction.matching_error import (
     BRIGHTNESS_EXPONENT,
     GREATEST_CONTRAST,
     GREATEST_UM,
+    error_share,
     knows_nothing_um,
     roughness,
     standard_error,
@@ -101,3 +103,16 @@ def test_sigma_is_great_at_a_step_and_where_nothing_is_seen() -> None:
     missing = np.isnan(found.height_um)
     assert np.isinf(found.sigma_um[missing]).all()
     assert np.isfinite(found.sigma_um[~missing]).all()
+
+
+def test_share_of_errors_is_neither_that_of_the_best_nor_of_the_worst_heights() -> None:
+    """Regolith: most heights are certain, many are not, and discarded ones count for nothing."""
+    rng = np.random.default_rng(8)
+    height = 40.0 * rng.standard_normal((60, 80)).astype(np.float32)
+    sigma = np.exp(rng.normal(np.log(8.0), 1.0, height.shape)).astype(np.float32)
+    quality = np.ones_like(height)
+    sigma[:10], quality[:10] = 43.0, 0.0
+    share = error_share(height, sigma, quality)
+    kept = sigma[10:]
+    assert np.median(kept) ** 2 / 40.0**2 < share < np.mean(kept**2) / 40.0**2
+    assert share == pytest.approx((8.0 * np.exp(0.5)) ** 2 / 40.0**2, rel=0.15)

@@ -3,7 +3,7 @@ from pathlib import Path
 import numpy as np
 import pytest
 
-from reliefscope.errors import DatasetError, InvalidInputError, OutputExistsError
+from reliefscope.errors import Cancelled, DatasetError, InvalidInputError, OutputExistsError
 from reliefscope.reconstruction import result
 from reliefscope.reconstruction.result import Reconstruction
 from reliefscope.reconstruction.settings import PaperSettings, Settings
@@ -81,6 +81,18 @@ def test_a_failed_write_leaves_nothing(tmp_path: Path, monkeypatch: pytest.Monke
     with pytest.raises(DatasetError, match="No space left"):
         result.save_result(example(), tmp_path, "one")
     assert list((tmp_path / "results").iterdir()) == []
+
+
+def test_a_result_whose_drawing_was_stopped_replaces_nothing(tmp_path: Path) -> None:
+    def draw(place: Path) -> None:
+        (place / "half.png").touch()
+        raise Cancelled("Stopped.")
+
+    result.save_result(example(), tmp_path, "one")
+    with pytest.raises(Cancelled):
+        result.save_result(example(50.0), tmp_path, "one", overwrite=True, draw=draw)
+    assert np.nanmean(result.load_result(tmp_path, "one").height_um) < 10
+    assert [path.name for path in (tmp_path / "results").iterdir()] == ["one"]
 
 
 def test_damage_is_told(tmp_path: Path) -> None:

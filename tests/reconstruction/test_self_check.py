@@ -10,9 +10,9 @@ import pytest
 
 from reliefscope.dataset import Run
 from reliefscope.microscope import Microscope
-from reliefscope.reconstruction.mvs import MvsResult
 from reliefscope.reconstruction.pipeline import reconstruct
-from reliefscope.reconstruction.self_check import SelfCheck, error_share
+from reliefscope.reconstruction.self_check import SelfCheck
+from reliefscope.reconstruction.settings import settings_for
 
 SIZE = "size=144x108"
 
@@ -162,14 +162,8 @@ def test_other_sound_samples_show_no_fault(tmp_path: Path, options: str) -> None
     assert check(take(tmp_path, options)).findings == ()
 
 
-def test_share_of_errors_is_neither_that_of_the_best_nor_of_the_worst_heights() -> None:
-    """Regolith: most heights are certain, many are not, and discarded ones count for nothing."""
-    rng = np.random.default_rng(8)
-    height = 40.0 * rng.standard_normal((60, 80)).astype(np.float32)
-    sigma = np.exp(rng.normal(np.log(8.0), 1.0, height.shape)).astype(np.float32)
-    quality = np.ones_like(height)
-    sigma[:10], quality[:10] = 43.0, 0.0
-    share = error_share(MvsResult(height, quality, quality, sigma))
-    kept = sigma[10:]
-    assert np.median(kept) ** 2 / 40.0**2 < share < np.mean(kept**2) / 40.0**2
-    assert share == pytest.approx((8.0 * np.exp(0.5)) ** 2 / 40.0**2, rel=0.15)
+def test_a_range_that_misses_the_surface_is_named(run: Run) -> None:
+    settings = settings_for("joint").model_copy(update={"height_range_um": (-10.0, 10.0)})
+    check = reconstruct(run, settings).self_check
+    assert check is not None
+    assert "few_heights" in [finding.code for finding in check.findings]

@@ -24,6 +24,8 @@ PLAIN_WIDTH = 120
 
 
 PAUSE_NOTICE = "Pausing after the current frame; Ctrl-C again turns the light off and stops."
+STOP_NOTICE = "Stopping after the current step; a result is written whole or not at all."
+"""For what only computes."""
 
 
 class Session:

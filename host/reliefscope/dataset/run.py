@@ -194,10 +194,13 @@ class Run:
                 f"{self.path} was imported; a calibration does not apply to it.",
                 hint="Correct the slopes and directions in its description and import it again.",
             )
-        known = len(self.spec.acquired.calibration.led_positions_mm)
-        if len(calibration.led_positions_mm) != known:
+        own = self.spec.acquired.calibration
+        if calibration.profile != own.profile or len(calibration.led_positions_mm) != len(
+            own.led_positions_mm
+        ):
             raise InvalidInputError(
-                f"The calibration has {len(calibration.led_positions_mm)} LEDs, the run {known}.",
+                f"The calibration is of a `{calibration.profile}` with {len(calibration.led_positions_mm)} LEDs, the "
+                f"run of a `{own.profile}` with {len(own.led_positions_mm)}.",
                 hint="Use a calibration of the instrument that took the run.",
             )
         other = copy.copy(self)

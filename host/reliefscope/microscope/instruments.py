@@ -117,9 +117,10 @@ def _choose_profile(
 
 
 def _check_leds(calibration: Calibration, profile: InstrumentProfile, source: str) -> None:
-    if len(calibration.led_positions_mm) != profile.dome.count:
+    leds = len(calibration.led_positions_mm)
+    if calibration.profile != profile.name or leds != profile.dome.count:
         raise InvalidInputError(
-            f"The calibration ({source}) is for {len(calibration.led_positions_mm)} LEDs; the profile "
+            f"The calibration ({source}) is of a `{calibration.profile}` with {leds} LEDs; the profile "
             f"`{profile.name}` has {profile.dome.count}.",
             hint="Give the calibration of this instrument with --calibration, or the right --profile.",
         )

@@ -108,21 +108,25 @@ def reconstruct_run(
     centre = data.luminance("centre", None, None) if data.has("centre") else None
     with data.lock():
         reconstruction = reconstruct(data, chosen, job, micrograph=centre)
-        folder = save_result(reconstruction, data.path, label, overwrite=overwrite)
         stages = dict(reconstruction.timings_s)
-        drawn: tuple[Path, ...] = ()
-        if pictures:
+        drawn: list[Path] = []
+
+        def draw(place: Path) -> None:
             from reliefscope.report.pictures import write_pictures
 
             begun = time.perf_counter()
-            drawn = write_pictures(reconstruction, folder, job)
+            drawn.extend(write_pictures(reconstruction, place, job))
             stages[PICTURES_STAGE] = time.perf_counter() - begun
+
+        folder = save_result(
+            reconstruction, data.path, label, overwrite=overwrite, draw=draw if pictures else None
+        )
     return Outcome(
         run=data.path,
         name=label,
         folder=folder,
         reconstruction=reconstruction,
-        pictures=drawn,
+        pictures=tuple(folder / picture.name for picture in drawn),
         stages_s=stages,
         total_s=time.perf_counter() - started,
     )

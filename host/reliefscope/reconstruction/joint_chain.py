@@ -266,9 +266,11 @@ def _surface(
 ) -> tuple[FloatImage, FloatImage | None, str]:
     """Height (H, W), its standard error where it is known, and what it was made from."""
     pixel_um = inputs.frames.pixel_um
+    guess_um = np.float32(knows_nothing_um(inputs.range_um))
     if shading is None:
         assert stereo is not None  # one of the two methods was run
-        return stereo.filled_um, stereo.matched.sigma_um, "stereo"
+        assert stereo.matched.sigma_um is not None  # joint matching tells it
+        return stereo.filled_um, np.fmin(stereo.matched.sigma_um, guess_um), "stereo"
     solved = shading.solved
     with clock.timed("fuse"):
         if stereo is None:
@@ -292,4 +294,4 @@ def _surface(
         )
     figures["solver_iterations"] = fused.iterations
     figures["solver_error_um"] = fused.error_um
-    return fused.height_um, np.fmin(fused.sigma_um, knows_nothing_um(inputs.range_um)), "fused"
+    return fused.height_um, np.fmin(fused.sigma_um, guess_um), "fused"

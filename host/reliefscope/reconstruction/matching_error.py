@@ -97,3 +97,16 @@ def standard_error(
         )
     sigma[~known] = GREATEST_UM
     return np.asarray(np.fmin(sigma, GREATEST_UM), dtype=np.float32)
+
+
+def error_share(height_um: FloatImage, sigma_um: FloatImage, quality: FloatImage) -> float:
+    """Variance of the errors of heights (H, W) over that of the heights, where their quality is above 0.
+
+    The square of their mean standard error: the mean of the squares would be that of the few worst.
+    """
+    known = np.isfinite(height_um) & np.isfinite(sigma_um) & (quality > 0.0)
+    if not known.any():
+        return 0.0
+    variance = float(np.var(height_um[known], dtype=np.float64))
+    error = float(np.mean(sigma_um[known], dtype=np.float64))
+    return error**2 / variance if variance > 0.0 else 0.0

@@ -11,7 +11,7 @@ import json
 import os
 import re
 import shutil
-from collections.abc import Mapping
+from collections.abc import Callable, Mapping
 from dataclasses import dataclass, field, fields
 from pathlib import Path
 from typing import Any
@@ -193,9 +193,16 @@ def list_results(run_path: Path) -> list[str]:
 
 
 def save_result(
-    reconstruction: Reconstruction, run_path: Path, name: str, *, overwrite: bool = False
+    reconstruction: Reconstruction,
+    run_path: Path,
+    name: str,
+    *,
+    overwrite: bool = False,
+    draw: Callable[[Path], object] | None = None,
 ) -> Path:
-    """Write a result to ``results/NAME`` of a run and return the folder.
+    """Write a result to ``results/NAME`` of a run and return the folder: all of it or, where that fails, nothing.
+
+    ``draw`` puts pictures into the folder that it is given, before the result takes its place.
 
     Raises
     ------
@@ -217,6 +224,8 @@ def save_result(
         with (making / RESULT_FILE).open("w", encoding="utf-8") as stream:
             json.dump(_document(reconstruction), stream, indent=2)
             _sync(stream)
+        if draw is not None:
+            draw(making)
         if folder.exists():
             replaced = folder.with_name(f".{name}.replaced-{os.getpid()}")
             folder.rename(replaced)
@@ -225,11 +234,12 @@ def save_result(
         else:
             making.rename(folder)
     except OSError as error:
-        shutil.rmtree(making, ignore_errors=True)
         raise DatasetError(
             f"The result could not be written to {folder}: {error.strerror or error}.",
             hint=f"Check space and permissions: `df -h {run_path}`, then reconstruct again.",
         ) from error
+    finally:
+        shutil.rmtree(making, ignore_errors=True)  # gone already where all went well
     return folder
 
 

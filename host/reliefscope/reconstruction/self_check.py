@@ -14,7 +14,7 @@ from __future__ import annotations
 
 import math
 from collections.abc import Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from typing import Any
 
 import numpy as np
@@ -23,6 +23,7 @@ from reliefscope.models.light_field import LightField
 from reliefscope.reconstruction import shadows as cast_shadows
 from reliefscope.reconstruction.held_out_lights import HeldOutLights, hold_out_lights
 from reliefscope.reconstruction.inputs import Inputs
+from reliefscope.reconstruction.matching_error import error_share
 from reliefscope.reconstruction.mvs import MvsResult
 from reliefscope.reconstruction.photometric import PsResult
 from reliefscope.reconstruction.shadow_agreement import ShadowAgreement, compare_shadows
@@ -46,14 +47,16 @@ LEAST_SHARE = 0.4
 TURN_TOLERANCE_DEG = 10.0
 SCALE_TOLERANCE = 0.1
 """Relative error of z above which shadows show a fault; sound runs of seven samples showed up to 8 %.  Errors of the
-heights cast shadows too, as if z were larger by their share of the relief's variance, which is therefore added: 10 to
-20 % on the simulated simulants of regolith, whose gaps between grains are narrower than a matching window."""
+heights cast shadows too, as if z were larger by their share of the relief's variance, which is therefore added: 14 to
+22 % on the simulated simulants of regolith, whose gaps between grains are narrower than a matching window."""
 SLOPE_SCALE_TOLERANCE = 0.2
 """The same by slopes alone, which gloss and interreflection bias by up to 10 %."""
 LEVEL_TOLERANCE = 0.25
 """Relative difference of a light's level from what the others predict."""
 MOST_SHARE = 0.35
 """Share of the lights above which it is the map as a whole that is wrong, not single LEDs."""
+LEAST_KNOWN = 0.5
+"""Share of the points at which stereo tells a height, below which the range of heights is in doubt."""
 GOOD_STEREO, GOOD_NORMALS = 0.35, 0.5
 """Qualities from which pixels are compared."""
 LEDS_HINT = (
@@ -184,7 +187,7 @@ def check_run(
     with clock.timed("self-check"), clock.job.stage("self-check", 1):
         matched = inputs.with_mask(stereo.quality)
         lights, pixel_um = inputs.light_field, inputs.frames.pixel_um
-        return check_result(
+        found = check_result(
             height_um=stereo_height_um,
             normals=solved.normals,
             good=(matched >= GOOD_STEREO) & (solved.quality >= GOOD_NORMALS),
@@ -193,23 +196,24 @@ def check_run(
             light_names=inputs.frames.light_names,
             lit=cast_shadows.lit(stereo_height_um, lights, pixel_um) if lit is None else lit,
             pixel_um=pixel_um,
-            error_share=error_share(stereo),
+            error_share=0.0
+            if stereo.sigma_um is None
+            else error_share(stereo.height_um, stereo.sigma_um, stereo.quality),
         )
+    valid = np.ones(matched.shape, np.bool_) if inputs.mask is None else inputs.mask
+    known = float(np.mean(matched[valid] > 0.0))
+    if found.findings or known >= LEAST_KNOWN:
+        return found
+    return replace(found, findings=(_few_heights(known, inputs.range_um),))
 
 
-def error_share(stereo: MvsResult) -> float:
-    """Variance of the heights' errors over that of the heights; 0 where matching does not tell errors.
-
-    The square of their mean standard error: the mean of the squares would be that of the few worst.
-    """
-    if stereo.sigma_um is None:
-        return 0.0
-    known = np.isfinite(stereo.height_um) & np.isfinite(stereo.sigma_um) & (stereo.quality > 0.0)
-    if not known.any():
-        return 0.0
-    variance = float(np.var(stereo.height_um[known], dtype=np.float64))
-    error = float(np.mean(stereo.sigma_um[known], dtype=np.float64))
-    return error**2 / variance if variance > 0.0 else 0.0
+def _few_heights(known: float, range_um: tuple[float, float]) -> Finding:
+    return Finding(
+        "few_heights",
+        f"Stereo tells a height at {100 * known:.0f} % of the points only; the surface may lie outside the "
+        f"{range_um[0]:g} to {range_um[1]:g} um that were searched",
+        "Widen height_range_um in the settings; if heights stay unknown, check focus, exposure and texture.",
+    )
 
 
 def _hold_out(

@@ -8,7 +8,7 @@ from typing import TYPE_CHECKING, Annotated, Any
 import typer
 
 from reliefscope.cli.options import JsonFlag, ProgressMode, ProgressOption
-from reliefscope.cli.session import session
+from reliefscope.cli.session import STOP_NOTICE, session
 
 if TYPE_CHECKING:
     from rich.console import Console
@@ -53,7 +53,7 @@ def estimate_lights(
     height and fall off across the field.  Where they can be photographed in a sphere, use light-probe.  With
     --powers, directions are known, and only brightness is sought.
     """
-    with session(progress, as_json=as_json) as this:
+    with session(progress, as_json=as_json, notice=STOP_NOTICE) as this:
         from reliefscope import microscope
         from reliefscope.errors import InvalidInputError
 

@@ -9,7 +9,7 @@ from typing import TYPE_CHECKING, Annotated
 import typer
 
 from reliefscope.cli.options import JsonFlag, ProgressMode, ProgressOption
-from reliefscope.cli.session import session
+from reliefscope.cli.session import STOP_NOTICE, session
 
 if TYPE_CHECKING:
     from rich.console import Console
@@ -66,7 +66,7 @@ def focus_stack(
     The defaults are those of the paper's reference measurement: window of 5 pixels, Gaussian of 3 pixels, no
     height between the planes.
     """
-    with session(progress, as_json=as_json) as this:
+    with session(progress, as_json=as_json, notice=STOP_NOTICE) as this:
         from reliefscope import microscope
 
         outcome = microscope.focus_pictures(

@@ -15,7 +15,7 @@ from reliefscope.cli.options import (
     ProgressOption,
     RunArgument,
 )
-from reliefscope.cli.session import session
+from reliefscope.cli.session import STOP_NOTICE, session
 
 
 def reconstruct(
@@ -45,7 +45,7 @@ def reconstruct(
 
     A run with one view gets normals and an integrated surface only, one with one light gets stereo only.
     """
-    with session(progress, as_json=as_json) as this:
+    with session(progress, as_json=as_json, notice=STOP_NOTICE) as this:
         from reliefscope import microscope
         from reliefscope.cli.tables import show_reconstruction
 
