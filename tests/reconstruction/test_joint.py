@@ -17,7 +17,8 @@ from reliefscope.reconstruction.joint import (
 )
 from reliefscope.reconstruction.joint_kernels import expand, score_tile_jointly
 from reliefscope.reconstruction.mvs import match_views
-from reliefscope.reconstruction.shifts import TAPS, plan_shifts
+from reliefscope.reconstruction.shifts import TAPS, ShiftPlan, plan_shifts
+from reliefscope.units import BoolImage, FloatImage
 
 Array = NDArray[np.float64]
 RANGE_UM = (-6.0, 50.0)
@@ -104,18 +105,13 @@ def test_kernel_is_its_formula_at_whole_shifts(small: int, large: int) -> None:
     assert np.abs(brightness - here).max() < 1e-5
 
 
-def test_kernel_leaves_out_unused_views_and_scores_nothing_from_too_few() -> None:
-    rng = np.random.default_rng(4)
-    margin = 8
-    padded = rng.random((1, 4, 40, 40), dtype=np.float32)
-    padded[0, 1] = padded[0, 0]
-    padded[0, 2] = padded[0, 0]
-    plan = plan_shifts(np.zeros((4, 2)), [0.0, 1.0, 2.0], 1.0)
-    used = np.array([[1, 1, 1, 1], [1, 1, 1, 0], [1, 0, 0, 0]], np.bool_)
-    curves = np.empty((3, 8, 8), dtype=np.float32)
+def scored(padded: FloatImage, plan: ShiftPlan, used: BoolImage) -> tuple[FloatImage, FloatImage]:
+    """Curves (N, 8, 8) and brightness (8, 8) of a tile in the middle of views (1, V, 40, 40) with a margin of 8."""
+    curves = np.empty((len(used), 8, 8), dtype=np.float32)
+    brightness = np.empty((8, 8), dtype=np.float32)
     score_tile_jointly(
         padded,
-        margin,
+        8,
         plan.row_whole,
         plan.col_whole,
         plan.row_weights,
@@ -128,8 +124,18 @@ def test_kernel_leaves_out_unused_views_and_scores_nothing_from_too_few() -> Non
         SOFTNESS,
         CONTRAST,
         curves,
-        np.empty((8, 8), dtype=np.float32),
+        brightness,
     )
+    return curves, brightness
+
+
+def test_kernel_leaves_out_unused_views_and_scores_nothing_from_too_few() -> None:
+    rng = np.random.default_rng(4)
+    padded = rng.random((1, 4, 40, 40), dtype=np.float32)
+    padded[0, 1] = padded[0, 0]
+    padded[0, 2] = padded[0, 0]
+    used = np.array([[1, 1, 1, 1], [1, 1, 1, 0], [1, 0, 0, 0]], np.bool_)
+    curves, _ = scored(padded, plan_shifts(np.zeros((4, 2)), [0.0, 1.0, 2.0], 1.0), used)
     assert curves[0].max() < 0.7
     assert np.allclose(curves[1], 1.0, atol=1e-4)  # three equal views
     assert np.isnan(curves[2]).all()  # no pair
@@ -137,38 +143,17 @@ def test_kernel_leaves_out_unused_views_and_scores_nothing_from_too_few() -> Non
 
 def test_brightness_is_that_of_the_height_that_wins() -> None:
     rng = np.random.default_rng(5)
-    margin = 8
     padded = np.zeros((1, 3, 40, 40), dtype=np.float32)
     padded[:, :, :, :] = rng.random((1, 1, 40, 40), dtype=np.float32)
-    height_um = 2.0
-    plan = plan_shifts(np.array([[1.0, 0.0], [0.0, 0.0], [0.0, 1.0]]), [0.0, height_um], 1.0)
-    curves = np.empty((2, 8, 8), dtype=np.float32)
-    brightness = np.empty((8, 8), dtype=np.float32)
-    used = np.array([[0, 0, 0], [1, 1, 1]], np.bool_)  # nothing is known at the first height
-    for _ in range(2):
-        score_tile_jointly(
-            padded,
-            margin,
-            plan.row_whole,
-            plan.col_whole,
-            plan.row_weights,
-            plan.col_weights,
-            used,
-            np.array([4, 12, 4, 12]),
-            3,
-            5,
-            0.0,
-            SOFTNESS,
-            CONTRAST,
-            curves,
-            brightness,
-        )
-        means = box(padded[0, 0].astype(np.float64), 3)[11:19, 11:19]
-        if used[0].all():
-            assert np.abs(brightness - means).max() < 1e-5
-        else:
-            assert np.abs(brightness - means).max() > 0.05
-        used[0] = True
+    plan = plan_shifts(np.array([[1.0, 0.0], [0.0, 0.0], [0.0, 1.0]]), [0.0, 2.0], 1.0)
+    means = box(padded[0, 0].astype(np.float64), 3)[11:19, 11:19]
+    _, there = scored(padded, plan, np.ones((2, 3), np.bool_))
+    assert np.abs(there - means).max() < 1e-5
+    elsewhere = np.array(
+        [[0, 0, 0], [1, 1, 1]], np.bool_
+    )  # nothing is known at the height that would win
+    _, shifted = scored(padded, plan, elsewhere)
+    assert np.abs(shifted - means).max() > 0.05
 
 
 def test_plane_and_dome_are_found_at_least_as_well_as_by_the_exact_search() -> None:
