@@ -84,6 +84,25 @@ def spring_add(across: Field, down: Field, z: Field, out: Field) -> None:
 
 
 @njit(cache=True, parallel=True)
+def spring_pull(hold: Field, across: Field, down: Field, z: Field, out: Field) -> None:
+    """``out = hold * z`` plus the pull of springs ``across`` (H, W-1) and ``down`` (H-1, W) at ``z`` (H, W)."""
+    height, width = z.shape
+    for row in prange(height):
+        for column in range(width):
+            out[row, column] = hold[row, column] * z[row, column]
+        for column in range(width - 1):
+            force = across[row, column] * (z[row, column] - z[row, column + 1])
+            out[row, column] += force
+            out[row, column + 1] -= force
+        if row > 0:
+            for column in range(width):
+                out[row, column] += down[row - 1, column] * (z[row, column] - z[row - 1, column])
+        if row < height - 1:
+            for column in range(width):
+                out[row, column] += down[row, column] * (z[row, column] - z[row + 1, column])
+
+
+@njit(cache=True, parallel=True)
 def dot(a: Field, b: Field) -> float:
     """Inner product of two images."""
     height, width = a.shape

@@ -190,8 +190,7 @@ class SpringSystem:
 
     def apply(self, z: Field, out: Field) -> None:
         """Springs between neighbours plus ``hold``, at ``z``."""
-        np.multiply(self._hold, z, out=out)
-        kernels.spring_add(self._across, self._down, z, out)
+        kernels.spring_pull(self._hold, self._across, self._down, z, out)
 
     def touched(self) -> NDArray[np.bool_]:
         """Pixels that are held or joined to a neighbour."""
