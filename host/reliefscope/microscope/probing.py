@@ -51,9 +51,7 @@ def calibrate_lights(
     source = Path(description)
     probes = load_model(LightProbeSet, source)
     given = None if compare is None else _given(Path(compare))
-    place = None if out is None else Path(out)
-    if place is not None and place.exists():
-        raise _exists(place)
+    place = _new_file(out)
     lights = probe_lights(probes, source.parent, given, job)
     if place is not None:
         _write(lights, place, source)
@@ -92,9 +90,7 @@ def estimate_lights(
     from reliefscope.dataset import Run
     from reliefscope.reconstruction import light_estimation
 
-    place = None if out is None else Path(out)
-    if place is not None and place.exists():
-        raise _exists(place)
+    place = _new_file(out)
     opened = Run.open(run)
     found = light_estimation.estimate_lights(
         opened.linear_stack(view=0, job=job),
@@ -139,9 +135,7 @@ def estimate_powers(
     from reliefscope.dataset import Run
     from reliefscope.reconstruction.light_estimation import refine_powers
 
-    place = None if out is None else Path(out)
-    if place is not None and place.exists():
-        raise _exists(place)
+    place = _new_file(out)
     opened = Run.open(run)
     field, directions = opened.light_field, opened.lights
     if field is None or directions is None:
@@ -202,6 +196,14 @@ def _write_lights(place: Path, title: str, rows: str) -> None:
             f"{place} could not be written: {error.strerror or error}.",
             hint="Check the disk and the permissions of the folder.",
         ) from error
+
+
+def _new_file(out: Path | str | None) -> Path | None:
+    """File to write, if any; refused before the work where it exists."""
+    place = None if out is None else Path(out)
+    if place is not None and place.exists():
+        raise _exists(place)
+    return place
 
 
 def _exists(place: Path) -> OutputExistsError:
